@@ -49,8 +49,12 @@ void go_on(const BakePlan& plan, std::size_t number, const char* next, double sh
 }
 
 std::string shader_text(const BakePlan& plan, const Pipeline& pipeline) {
+    if (plan.shader.empty()) return "";
     const Recipe& recipe = pipeline.recipe();
-    return plan.shader.empty() ? "" : emit_glsl(recipe, texture_from_mesh(recipe, pipeline.mesh()));
+    const EmittedShader shader =
+        emit_glsl(recipe, solid_from_mesh(pipeline.mesh(), recipe.solid.space));
+    for (const std::string& note : shader.notes) tell(plan, pipeline.mesh(), note);
+    return shader.text;
 }
 
 void set_frame(Pipeline& pipeline, const BakePlan& plan, std::size_t number) {

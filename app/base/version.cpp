@@ -5,8 +5,10 @@
 #include <OpenEXR/OpenEXRConfig.h>
 #include <OpenMesh/Core/System/config.h>
 #include <fmt/format.h>
+#include <gif_lib.h>
 #include <png.h>
 #include <tbb/version.h>
+#include <webp/encode.h>
 #include <CLI/Version.hpp>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
@@ -20,6 +22,15 @@ namespace burl {
 std::string burl_version() {
     return BURL_VERSION;
 }
+
+namespace {
+
+/// A version in three bytes, as libwebp tells it.
+std::string three_bytes(int version) {
+    return fmt::format("{}.{}.{}", version >> 16, version >> 8 & 255, version & 255);
+}
+
+}  // namespace
 
 std::vector<std::pair<std::string, std::string>> component_versions() {
     return {
@@ -35,6 +46,8 @@ std::vector<std::pair<std::string, std::string>> component_versions() {
         {"oneTBB", TBB_runtime_version()},
         {"Highway", HWY_VERSION_TEXT},
         {"libpng", png_get_libpng_ver(nullptr)},
+        {"libwebp", three_bytes(WebPGetEncoderVersion())},
+        {"giflib", fmt::format("{}.{}.{}", GIFLIB_MAJOR, GIFLIB_MINOR, GIFLIB_RELEASE)},
         {"OpenEXR", OPENEXR_VERSION_STRING},
         {"simd", simd_level()},
     };

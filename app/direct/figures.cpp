@@ -139,7 +139,8 @@ std::string floor_part(std::string_view antialiasing) {
 }
 
 std::vector<Figure> paper_1999() {
-    const std::string_view teapot = "--view 25,24,2.6 --size 480x360 --supersample 3";
+    const std::string_view teapot =
+        "--light headlight --view 25,24,2.6 --size 480x360 --supersample 3";
     const std::string_view sky = "--size 480x360 --supersample 3 --unlit";
     return {
         {"wood-teapot",
@@ -164,8 +165,8 @@ std::vector<Figure> paper_1999() {
         {"planet",
          "Hart et al. 1999, figure 5: a planet under its clouds",
          1,
-         {"sample:icosphere --recipe cloudy-planet --plane night-sky:0,0,1,20 --view 180,20,3.6 "
-          "--size 360x360 --supersample 3"}},
+         {"sample:icosphere --recipe cloudy-planet --plane night-sky:0,0,1,20 --light headlight "
+          "--view 180,20,3.6 --size 360x360 --supersample 3"}},
         {"moonrise",
          "Hart et al. 1999, figure 6: moonrise",
          1,
@@ -180,8 +181,8 @@ std::vector<Figure> paper_1999() {
         {"wood-torus",
          "Hart et al. 1999, figure 9: wood aliased, filtered, and the filter's width",
          3,
-         {torus_part("--filter none"), torus_part("--filter trapezoid"),
-          torus_part("--widths --unlit")}}};
+         {torus_part("--light headlight --filter none"),
+          torus_part("--light headlight --filter trapezoid"), torus_part("--widths --unlit")}}};
 }
 
 }  // namespace

@@ -11,9 +11,12 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/light/chosen_environment.h"
 #include "app/options/idle_options.h"
 #include "app/recipe/edit/images.h"
 #include "app/recipe/lattice_check.h"
+#include "app/scene/ground.h"
+#include "app/scene/up_axis.h"
 #include "app/surface/normals.h"
 #include "app/surface/posed_corners.h"
 #include "app/surface/sample_meshes.h"
@@ -29,6 +32,9 @@ Error bad_plane(const std::string& text) {
                              "NX x + NY y + NZ z is D, for example clouds:0,1,0,4",
                              text));
 }
+
+constexpr int most_rays = 1 << 16;
+constexpr std::size_t backdrop_rows = 1024;  ///< of a built-in environment that is seen
 
 /// Parses four finite numbers, the first three not all 0, and normalises the plane. Throws
 /// Error(usage).
@@ -65,10 +71,11 @@ FilterKind parse_filter(const std::string& text) {
                                              text, fmt::join(names, ", ")));
 }
 
-/// The colour of points and footprints that are first mapped by an affine map.
-FilteredColor mapped(FilteredColor color, const Affine3& map) {
-    return [color = std::move(color), map](const Vec3d& p, const Footprint& steps) {
-        return color(map(p), {map.linear * steps.u, map.linear * steps.v});
+/// A function of points and footprints, of which both are first mapped by an affine map.
+template <class Function>
+Function mapped(Function function, const Affine3& map) {
+    return [function = std::move(function), map](const Vec3d& p, const Footprint& steps) {
+        return function(map(p), {map.linear * steps.u, map.linear * steps.v});
     };
 }
 
@@ -223,11 +230,17 @@ void DirectOptions::add(CLI::App& verb) {
     verb.add_option(
         "--view", view,
         "Azimuth and elevation in degrees, distance in radii: AZ,EL,DIST (default 30,20,3.5)");
+    verb.add_option("--up", up,
+                    "Axis of the scene's coordinates that is up in the picture: x, -x, y, -y, z "
+                    "(scans, CAD) or -z; textures stay as they are")
+        ->check(one_of({up_axes.begin(), up_axes.end()}))
+        ->capture_default_str();
     verb.add_option("--filter", filter,
                     "Texture lookup: nearest, linear or mip (default: as the scene says); with "
                     "--direct: none, table-mip, table-sat, table-sat3, exact or trapezoid "
                     "(default: none for the mesh, trapezoid for planes)");
     verb.add_flag("--unlit", unlit, "Show the texture's colours without light");
+    light.add(verb);
     verb.add_option("--supersample", picture.supersample, "n: n x n samples per pixel")
         ->check(CLI::Range(1, max_supersample))
         ->capture_default_str();
@@ -243,6 +256,11 @@ void DirectOptions::add(CLI::App& verb) {
                     "Angle in degrees above which computed normals split (--direct, --lazy)")
         ->check(in_range(0.0, 180.0))
         ->capture_default_str();
+    verb.add_option("--rays", rays,
+                    "With --direct: directions that a sample's light is summed over; 0: smooth "
+                    "light without shadows, as without --direct")
+        ->check(CLI::Range(0, most_rays))
+        ->capture_default_str();
     meshes.add(verb);
     add_pose(verb, pose);
 }
@@ -255,18 +273,31 @@ PictureOptions DirectOptions::picture_options() const {
     PictureOptions options = picture;
     if (size) options.size = parse_picture_size(*size);
     options.lit = !unlit;
+    options.background = light.background_asked();
+    options.ground = light.ground;
+    if (const std::string given = light.given(); unlit && !given.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("{} is about light, and --unlit draws without; leave one of them "
+                                "out",
+                                given));
+    if (!unlit) options.light = light.light_options();
     return options;
 }
 
 DirectPicture::DirectPicture(const DirectOptions& options)
-    : picture_(options.picture_options()), widths_(options.widths) {
+    : picture_(options.picture_options()), widths_(options.widths), rays_(options.rays) {
     if (options.filter) filter_ = parse_filter(*options.filter);
     if (options.scene.empty() && options.planes.empty())
         throw Error(ExitCode::usage,
                     "there is nothing to draw: name a mesh or at least one --plane");
     for (const std::string& text : options.planes) planes_.push_back(parse_plane(text).plane);
     const View view = options.parsed_view();
+    const bool lit = picture_.lit && !picture_.light.is_headlight();
+    if (lit) environment_ = environment_of(picture_.light);
+    if (lit && picture_.background.kind == Background::Kind::light)
+        backdrop_ = environment_of(picture_.light, backdrop_rows);
     if (!options.scene.empty()) mesh_ = options.meshes.load(options.scene);
+    turn(mesh_, upright(options.up));
     normals_ = corner_normals(mesh_, options.crease);
     Mesh posed;
     if (!options.pose.empty()) {
@@ -276,27 +307,46 @@ DirectPicture::DirectPicture(const DirectOptions& options)
         posed_normals_ = posed_corners(mesh_, *pose_, normals_).normals;
         posed = posed_mesh(mesh_, *pose_, 1.0);
     }
-    camera_ = orbit_camera(view, sphere_of(mesh_, posed), picture_.size);
+    sphere_ = sphere_of(mesh_, posed);
+    look(view);
 }
 
-FilteredColor DirectPicture::color_of(const Recipe& recipe, FilterKind otherwise) const {
-    return widths_ ? filter_width_grey(recipe) : shown_color(recipe, filter_.value_or(otherwise));
+DirectPicture::Shown DirectPicture::shown(const Recipe& recipe, FilterKind otherwise,
+                                          const Affine3& map) const {
+    const FilterKind kind = filter_.value_or(otherwise);
+    const FilteredColor color = widths_ ? filter_width_grey(recipe) : shown_color(recipe, kind);
+    Shown result{mapped(color, map), {}};
+    if (environment_) result.material = mapped(point_material(recipe, kind, color, widths_), map);
+    return result;
 }
 
 std::vector<PlaneLayer> DirectPicture::layers(const PictureRecipes& recipes) const {
     std::vector<PlaneLayer> result;
     for (std::size_t i = 0; i < planes_.size(); ++i) {
         const bool named = i < recipes.planes.size() && recipes.planes[i];
-        const Recipe& shown = named ? *recipes.planes[i] : recipes.main;
-        result.push_back({planes_[i], mapped(color_of(shown, FilterKind::trapezoid),
-                                             texture_from_solid(shown))});
+        const Recipe& recipe = named ? *recipes.planes[i] : recipes.main;
+        const Shown made = shown(recipe, FilterKind::trapezoid, texture_from_solid(recipe));
+        result.push_back({planes_[i], made.color, made.material});
     }
     return result;
 }
 
+/// Draws a scene in its surroundings.
+Image<Rgba8> DirectPicture::draw(DirectScene scene) const {
+    std::optional<Blockers> blockers;
+    std::optional<TracedLight> light, on_ground;
+    if (environment_ || picture_.ground) blockers.emplace(scene.mesh);
+    const Blockers* const solid = blockers ? &*blockers : nullptr;
+    if (environment_) light.emplace(*environment_, rays_, solid);
+    if (picture_.ground && !environment_) on_ground.emplace(white_environment(), rays_, solid);
+    scene.around = {light ? &*light : nullptr, backdrop_ ? &*backdrop_ : nullptr, solid, nullptr};
+    if (picture_.ground) scene.around.on_ground = on_ground ? &*on_ground : scene.around.light;
+    return render_samples(scene, camera_, picture_);
+}
+
 /// Draws the posed surface with the colours of the surface at rest.
-Image<Rgb8> DirectPicture::draw_posed(const Recipe& recipe,
-                                      const std::vector<PlaneLayer>& planes) const {
+Image<Rgba8> DirectPicture::draw_posed(const Recipe& recipe,
+                                       const std::vector<PlaneLayer>& planes) const {
     if (!recipe.bump.empty())
         throw Error(ExitCode::unsupported,
                     "--direct draws no bumps of a mesh in a pose; use --lazy, or a recipe without "
@@ -304,33 +354,44 @@ Image<Rgb8> DirectPicture::draw_posed(const Recipe& recipe,
     check_lattice(recipe, mesh_);
     const double weight = recipe.pose.weight;
     const Mesh posed = posed_mesh(mesh_, *pose_, weight);
-    const FilteredColor color =
-        mapped(color_of(recipe, FilterKind::none), texture_from_mesh(recipe, mesh_));
-    const SampleColor at = [&](const SurfacePoint& point, const Footprint& steps) {
-        const auto rest = [&](const Vec3d& step) {
-            return step_at_rest(posed, mesh_, point.triangle, step);
+    const Shown made = shown(recipe, FilterKind::none, texture_from_mesh(recipe, mesh_));
+    const auto at_rest = [&](const auto& function) {
+        return [this, &posed, &function](const SurfacePoint& point, const Footprint& steps) {
+            const auto rest = [&](const Vec3d& step) {
+                return step_at_rest(posed, mesh_, point.triangle, step);
+            };
+            return function(position(mesh_, point), {rest(steps.u), rest(steps.v)});
         };
-        return color(position(mesh_, point), {rest(steps.u), rest(steps.v)});
     };
     const std::vector<Vec3f> normals = blended_normals(normals_, posed_normals_, weight);
-    return render_samples({posed, normals, at, {}, planes}, camera_, picture_);
+    DirectScene scene{posed, normals, at_rest(made.color), {}, planes};
+    if (made.material) scene.material = at_rest(made.material);
+    return draw(scene);
 }
 
-Image<Rgb8> DirectPicture::operator()(const PictureRecipes& recipes) const {
+Image<Rgba8> DirectPicture::with_alpha(const PictureRecipes& recipes) const {
     const Recipe& recipe = recipes.main;
     const std::vector<PlaneLayer> planes = layers(recipes);
     if (pose_) return draw_posed(recipe, planes);
-    FilteredColor color;
+    Shown made;
     SurfaceNormal bumped;
     if (!mesh_.triangles.empty()) {
         check_lattice(recipe, mesh_);
-        color = mapped(color_of(recipe, FilterKind::none), texture_from_mesh(recipe, mesh_));
+        made = shown(recipe, FilterKind::none, texture_from_mesh(recipe, mesh_));
         bumped = bumped_normals(recipe, mesh_);
     }
-    const SampleColor at = [&](const SurfacePoint& point, const Footprint& steps) {
-        return color(position(mesh_, point), steps);
+    const auto at_point = [&](const auto& function) {
+        return [this, &function](const SurfacePoint& point, const Footprint& steps) {
+            return function(position(mesh_, point), steps);
+        };
     };
-    return render_samples({mesh_, normals_, at, bumped, planes}, camera_, picture_);
+    DirectScene scene{mesh_, normals_, at_point(made.color), bumped, planes};
+    if (made.material) scene.material = at_point(made.material);
+    return draw(scene);
+}
+
+Image<Rgb8> DirectPicture::operator()(const PictureRecipes& recipes) const {
+    return opaque(with_alpha(recipes));
 }
 
 }  // namespace burl

@@ -9,6 +9,7 @@
 #include "app/direct/render.h"
 #include "app/options/animation.h"
 #include "app/options/command_options.h"
+#include "app/options/light.h"
 #include "atlas/read/pose.h"
 
 namespace burl {
@@ -23,12 +24,15 @@ struct PlaneArgument {
 /// length 1. Throws Error(usage).
 PlaneArgument parse_plane(const std::string& text);
 
-/// Options of `burl render`. The scene, --view, --size, --filter, --unlit and --supersample apply
-/// to every picture; the others to --direct and, except --plane and --widths, to --lazy.
+/// Options of `burl render`. The scene, --view, --up, --size, --filter, --unlit, --supersample and
+/// the options of light apply to every picture; the others to --direct and, except --plane and
+/// --widths, to --lazy.
 struct DirectOptions {
     std::string scene;  ///< a mesh (file or "sample:NAME"); may be empty where there are planes
     std::optional<std::string> view, size, filter;
+    std::string up = "y";  ///< the axis that is up in the picture (app/scene/up_axis.h)
     PictureOptions picture;
+    LightArguments light;
     bool unlit = false;
 
     std::vector<std::string> planes;
@@ -36,12 +40,14 @@ struct DirectOptions {
     RecipeOptions recipe;
     MeshOptions meshes;
     std::string pose;  ///< --pose (app/surface/sample_meshes.h); empty: none
+    /// Directions that each sample's light is summed over with --direct; 0: none, and no shadows.
+    int rays = 96;
     double crease = 40.0;
 
     void add(CLI::App& verb);
     /// The value of --view, or the default view. Throws Error(usage).
     View parsed_view() const;
-    /// The options `picture` with --size and --unlit applied. Throws Error(usage).
+    /// The options `picture` with --size, --unlit and those of light applied. Throws Error(usage).
     PictureOptions picture_options() const;
 };
 
@@ -64,23 +70,37 @@ class DirectPicture {
     /// as load_pose and MeshOptions::load do.
     explicit DirectPicture(const DirectOptions& options);
 
+    /// Sets the view of the following pictures, at first that of --view.
+    void look(const View& view) { camera_ = orbit_camera(view, sphere_, picture_.size); }
+
     /// Draws a picture. `recipes` are those of picture_recipes(), or the main one alone where no
     /// plane names any. Throws Error(unsupported) as check_lattice does, and for bumps of a mesh in
     /// a pose.
     Image<Rgb8> operator()(const PictureRecipes& recipes) const;
+    /// Draws a picture as operator() does, with the alpha of a transparent background.
+    Image<Rgba8> with_alpha(const PictureRecipes& recipes) const;
 
   private:
-    FilteredColor color_of(const Recipe& recipe, FilterKind otherwise) const;
+    /// A recipe's colour, and in an environment its whole material.
+    struct Shown {
+        FilteredColor color;
+        PointMaterial material;
+    };
+    Shown shown(const Recipe& recipe, FilterKind otherwise, const Affine3& map) const;
     std::vector<PlaneLayer> layers(const PictureRecipes& recipes) const;
-    Image<Rgb8> draw_posed(const Recipe& recipe, const std::vector<PlaneLayer>& planes) const;
+    Image<Rgba8> draw_posed(const Recipe& recipe, const std::vector<PlaneLayer>& planes) const;
+    Image<Rgba8> draw(DirectScene scene) const;
 
     PictureOptions picture_;
     std::optional<FilterKind> filter_;
     bool widths_;
+    int rays_;
+    std::optional<Environment> environment_, backdrop_;  ///< where they light and are seen
     Mesh mesh_;
     std::vector<Vec3f> normals_, posed_normals_;
     std::optional<MeshPose> pose_;
     std::vector<Plane> planes_;
+    Sphere sphere_;
     Camera camera_;
 };
 

@@ -8,7 +8,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include "app/direct/mesh_sample.h"
 #include "app/scene/visibility.h"
+#include "atlas/base/random_unit.h"
 
 namespace burl {
 
@@ -34,42 +36,49 @@ std::vector<std::vector<std::uint32_t>> sort_into_bands(const std::vector<Screen
     return bands;
 }
 
-struct Surface {
+struct Drawing {
     const DirectScene& scene;
     const Camera& camera;
     const SampleRays& rays;
-    bool lit;
+    const PictureOptions& options;
 };
 
-/// The cofactors of `m`, which transform normals up to a factor: the inverse transposed times the
-/// determinant.
-Mat3d cofactors(const Mat3d& m) {
-    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+/// The directions of a layer of sample (x, y).
+LightDraw draw_of(const Drawing& drawing, int x, int y, std::size_t layer) {
+    const int n = drawing.options.supersample;
+    const auto pixel = (std::uint64_t(std::uint32_t(y / n)) << 32) | std::uint32_t(x / n);
+    return {mix_bits(mix_bits(pixel) + 4 * layer), y % n * n + x % n};
+}
+
+/// The mesh's colour at a sample under the headlight, premultiplied by alpha.
+Vec4d headlit(const Drawing& drawing, const ScreenTriangle& t, const MeshSample& sample) {
+    const Vec4d color = drawing.scene.color({t.triangle, sample.weights}, sample.covered);
+    if (!drawing.options.lit) return color;
+    const auto under = [&](double light) { return Vec4d(Vec3d(color) * light, color.w); };
+    const Mat3d to_scene = cofactors(Mat3d(*t.placement));
+    const Vec3d to_eye = drawing.camera.eye - Vec3d(*t.placement * Vec4d(sample.point, 1.0));
+    if (!drawing.scene.bumped || sample.normal == Vec3d(0.0))
+        return under(headlight(to_scene * sample.normal, to_eye));
+    const Vec3d bumped = drawing.scene.bumped(sample.point, glm::normalize(sample.normal));
+    return under(headlight(to_scene * sample.normal, to_scene * bumped, to_eye));
+}
+
+/// The mesh's light at a sample in an environment, premultiplied by alpha.
+Vec4d traced(const Drawing& drawing, const ScreenTriangle& t, const MeshSample& sample,
+             const LightDraw& draw) {
+    const DirectScene& scene = drawing.scene;
+    MaterialSample material = scene.material({t.triangle, sample.weights}, sample.covered);
+    if (material.alpha <= 0.0) return Vec4d(0.0);
+    const LitPoint at = lit_point(scene, t, sample, drawing.camera.eye);
+    material.point.coat_normal = at.smooth;
+    return {material.alpha * (*scene.around.light)(material.point, at, draw), material.alpha};
 }
 
 /// The mesh's colour at sample (x, y), which `t` covers, premultiplied by alpha.
-Vec4d shade(const Surface& surface, const ScreenTriangle& t, int x, int y) {
-    const Mesh& mesh = surface.scene.mesh;
-    const Vec3d weights = barycentrics(t, x, y);
-    const auto steps = barycentric_steps(t, x, y, weights);
-    Vec3d point(0.0), normal(0.0);
-    Footprint covered;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3d& corner = mesh.positions[mesh.triangles[t.triangle][k]];
-        point += weights[int(k)] * corner;
-        covered.u += steps[0][int(k)] * corner;
-        covered.v += steps[1][int(k)] * corner;
-        normal += weights[int(k)] * Vec3d(surface.scene.normals[3 * std::size_t(t.triangle) + k]);
-    }
-    const Vec4d color = surface.scene.color({t.triangle, weights}, covered);
-    if (!surface.lit) return color;
-    const auto under = [&](double light) { return Vec4d(Vec3d(color) * light, color.w); };
-    const Mat3d to_scene = cofactors(Mat3d(*t.placement));
-    const Vec3d to_eye = surface.camera.eye - Vec3d(*t.placement * Vec4d(point, 1.0));
-    if (!surface.scene.bumped || normal == Vec3d(0.0))
-        return under(headlight(to_scene * normal, to_eye));
-    const Vec3d bumped = surface.scene.bumped(point, glm::normalize(normal));
-    return under(headlight(to_scene * normal, to_scene * bumped, to_eye));
+Vec4d shade(const Drawing& drawing, const ScreenTriangle& t, int x, int y, std::size_t layer) {
+    const MeshSample sample = mesh_sample(drawing.scene, t, x, y);
+    return drawing.scene.around.light ? traced(drawing, t, sample, draw_of(drawing, x, y, layer))
+                                      : headlit(drawing, t, sample);
 }
 
 struct LayerHit {
@@ -81,49 +90,92 @@ struct LayerHit {
 struct SampleSum {
     Vec3d light{0.0};
     double shows = 1.0, depth = 0.0;
+    std::size_t layers = 0;
 
     bool is_open() const { return shows > 0.0; }
     void add(const Vec4d& color, double light_share = 1.0) {
         light += shows * light_share * Vec3d(color);
         shows *= 1.0 - color.w;
+        ++layers;
     }
 };
 
 /// Collects the planes whose intersections at sample (x, y) are nearer than `depth`, but no nearer
 /// than `from`, nearest first.
-void find_planes(const Surface& surface, int x, int y, double from, double depth,
+void find_planes(const Drawing& drawing, int x, int y, double from, double depth,
                  std::vector<LayerHit>& hits) {
     hits.clear();
-    for (const PlaneLayer& layer : surface.scene.planes) {
-        const auto hit = meet(surface.rays, x, y, layer.plane);
+    for (const PlaneLayer& layer : drawing.scene.planes) {
+        const auto hit = meet(drawing.rays, x, y, layer.plane);
         if (hit && hit->depth >= from && hit->depth < depth) hits.push_back({&layer, *hit});
     }
     std::stable_sort(hits.begin(), hits.end(),
                      [](const LayerHit& a, const LayerHit& b) { return a.at.depth < b.at.depth; });
 }
 
+/// A plane's light at an intersection in an environment, premultiplied by alpha.
+Vec4d traced(const Drawing& drawing, const LayerHit& hit, const LightDraw& draw) {
+    const MaterialSample material = hit.layer->material(hit.at.point, hit.at.steps);
+    if (material.alpha <= 0.0) return Vec4d(0.0);
+    const DirectSurroundings& around = drawing.scene.around;
+    const LitPoint at =
+        lit_point(hit.layer->plane.normal, hit.at.point, drawing.camera.eye, around);
+    return {material.alpha * (*around.light)(material.point, at, draw), material.alpha};
+}
+
 /// Adds the planes as far as they are seen.
-void add_planes(const Surface& surface, std::span<const LayerHit> hits, SampleSum& sum) {
+void add_planes(const Drawing& drawing, std::span<const LayerHit> hits, int x, int y,
+                SampleSum& sum) {
     for (const LayerHit& hit : hits) {
         if (!sum.is_open()) return;
+        if (drawing.scene.around.light) {
+            sum.add(traced(drawing, hit, draw_of(drawing, x, y, sum.layers)));
+            continue;
+        }
         const Vec4d color = hit.layer->color(hit.at.point, hit.at.steps);
-        const double light =
-            surface.lit ? headlight(hit.layer->plane.normal, surface.camera.eye - hit.at.point)
-                        : 1.0;
+        const double light = drawing.options.lit ? headlight(hit.layer->plane.normal,
+                                                             drawing.camera.eye - hit.at.point)
+                                                 : 1.0;
         sum.add(color, light);
     }
 }
 
-/// Adds what sample (x, y) shows up to the triangle `t`, or up to the background where it is null.
-void add_layer(const Surface& surface, const ScreenTriangle* t, int x, int y,
+/// The shadow on the ground at sample (x, y): black, with the share that it hides.
+Vec4d ground_shadow(const Drawing& drawing, int x, int y) {
+    const DirectSurroundings& around = drawing.scene.around;
+    const std::optional<double> low = around.blockers->lowest();
+    if (!low || drawing.camera.eye.y <= *low) return Vec4d(0.0);
+    const auto hit = meet(drawing.rays, x, y, {{0.0, 1.0, 0.0}, *low});
+    if (!hit) return Vec4d(0.0);
+    // A little below the plane, so that what stands on it blocks.
+    const Vec3d place = hit->point - Vec3d(0.0, around.blockers->offset(), 0.0);
+    return {0.0, 0.0, 0.0, around.on_ground->shadow(place, draw_of(drawing, x, y, 0))};
+}
+
+/// Adds the ground and what lies behind all else, but for a colour that is put there last.
+void add_surroundings(const Drawing& drawing, int x, int y, SampleSum& sum) {
+    const DirectSurroundings& around = drawing.scene.around;
+    if (around.on_ground) sum.add(ground_shadow(drawing, x, y));
+    if (around.backdrop)
+        sum.add(Vec4d(light_from(*around.backdrop, drawing.rays.direction(x, y)), 1.0));
+}
+
+/// Adds what sample (x, y) shows up to the triangle `t`, or up to the background where it is null;
+/// returns whether anything more may be seen.
+bool add_layer(const Drawing& drawing, const ScreenTriangle* t, int x, int y,
                std::vector<LayerHit>& hits, SampleSum& sum) {
     const double depth =
-        t ? depth_of(*t, surface.camera, x, y) : std::numeric_limits<double>::infinity();
-    find_planes(surface, x, y, sum.depth, depth, hits);
-    add_planes(surface, hits, sum);
+        t ? depth_of(*t, drawing.camera, x, y) : std::numeric_limits<double>::infinity();
+    find_planes(drawing, x, y, sum.depth, depth, hits);
+    add_planes(drawing, hits, x, y, sum);
     sum.depth = depth;
-    if (!sum.is_open()) return;
-    sum.add(t ? shade(surface, *t, x, y) : Vec4d(background_linear(), 1.0));
+    if (!sum.is_open()) return false;
+    if (!t) {
+        add_surroundings(drawing, x, y, sum);
+        return false;
+    }
+    sum.add(shade(drawing, *t, x, y, sum.layers));
+    return sum.is_open();
 }
 
 /// Some rows of samples of a picture, from `first_row` on.
@@ -134,28 +186,32 @@ struct SampleBand {
 };
 
 /// Draws the rows: the frontmost triangles, then, where they are transparent, those behind them.
-Image<RgbF> draw_band(const Surface& surface, const SampleBand& band) {
+/// Alpha is the share that hides a background that is put there last.
+Image<RgbaF> draw_band(const Drawing& drawing, const SampleBand& band) {
     const auto& [triangles, candidates, width, first_row, rows] = band;
-    auto front = visible_triangles(triangles, candidates, surface.camera, width, first_row, rows);
+    auto front = visible_triangles(triangles, candidates, drawing.camera, width, first_row, rows);
     std::vector<SampleSum> sums(front.size());
+    std::vector<bool> done(front.size());
     std::vector<LayerHit> hits;
     for (bool open = true; open;) {
         open = false;
         for (std::size_t k = 0; k < sums.size(); ++k) {
-            if (!sums[k].is_open()) continue;
+            if (done[k]) continue;
             const ScreenTriangle* t = front[k] == nothing_visible ? nullptr : &triangles[front[k]];
-            add_layer(surface, t, int(k) % width, first_row + int(k) / width, hits, sums[k]);
-            if (!sums[k].is_open()) front[k] = nothing_visible;
-            open = open || sums[k].is_open();
+            done[k] =
+                !add_layer(drawing, t, int(k) % width, first_row + int(k) / width, hits, sums[k]);
+            if (done[k]) front[k] = nothing_visible;
+            open = open || !done[k];
         }
         if (open)
-            front = triangles_behind(front, triangles, candidates, surface.camera, width, first_row,
+            front = triangles_behind(front, triangles, candidates, drawing.camera, width, first_row,
                                      rows);
     }
-    Image<RgbF> drawn{std::size_t(width), std::size_t(rows)};
+    Image<RgbaF> drawn{std::size_t(width), std::size_t(rows)};
     for (std::size_t k = 0; k < sums.size(); ++k) {
         const Vec3d& c = sums[k].light;
-        drawn(k % drawn.width(), k / drawn.width()) = {float(c.x), float(c.y), float(c.z)};
+        drawn(k % drawn.width(), k / drawn.width()) = {float(c.x), float(c.y), float(c.z),
+                                                       float(1.0 - sums[k].shows)};
     }
     return drawn;
 }
@@ -190,25 +246,29 @@ std::optional<PlaneHit> meet(const SampleRays& rays, int x, int y, const Plane& 
     return hit;
 }
 
-Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
-                           const PictureOptions& options) {
+Image<Rgba8> render_samples(const DirectScene& scene, const Camera& camera,
+                            const PictureOptions& options) {
     const int n = options.supersample;
     const PictureSize samples{options.size.width * n, options.size.height * n};
     const auto triangles = screen_triangles(scene.mesh, camera, samples);
     const auto bands = sort_into_bands(triangles, samples.height, band_rows * n);
     const SampleRays rays(camera, samples);
-    const Surface surface{scene, camera, rays, options.lit};
+    const Drawing drawing{scene, camera, rays, options};
 
     const SrgbEncoder<std::uint8_t> encode;
-    Image<Rgb8> picture(std::size_t(options.size.width), std::size_t(options.size.height));
+    Image<Rgba8> picture(std::size_t(options.size.width), std::size_t(options.size.height));
     tbb::parallel_for(std::size_t(0), bands.size(), [&](std::size_t band) {
         const int first_row = int(band) * band_rows * n;
         const int rows = std::min(band_rows * n, samples.height - first_row);
-        const Image<RgbF> drawn =
-            draw_band(surface, {triangles, bands[band], samples.width, first_row, rows});
-        resolve_samples(drawn, n, encode, picture, 0, band * std::size_t(band_rows));
+        const Image<RgbaF> drawn =
+            draw_band(drawing, {triangles, bands[band], samples.width, first_row, rows});
+        resolve_samples(drawn, options, encode, picture, 0, band * std::size_t(band_rows));
     });
     return picture;
+}
+
+Image<Rgb8> opaque(const Image<Rgba8>& picture) {
+    return converted<Rgb8>(picture, [](const Rgba8& c) { return Rgb8{c.r, c.g, c.b}; });
 }
 
 Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
@@ -216,7 +276,7 @@ Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, cons
     const SampleColor at = [&](const SurfacePoint& point, const Footprint&) {
         return Vec4d(color(point), 1.0);
     };
-    return render_samples({mesh, normals, at, {}, {}}, camera, options);
+    return opaque(render_samples({mesh, normals, at, {}, {}}, camera, options));
 }
 
 }  // namespace burl

@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "app/direct/point_material.h"
+#include "app/direct/traced_light.h"
 #include "app/pipeline/texture_color.h"
 #include "app/scene/camera.h"
 #include "app/scene/shading.h"
@@ -63,11 +65,24 @@ using PointColor = std::function<Vec3d(const SurfacePoint& point)>;
 /// from several threads.
 using SampleColor = std::function<Vec4d(const SurfacePoint& point, const Footprint& steps)>;
 
+/// The material of a sample of a triangle over its footprint in mesh coordinates. Called from
+/// several threads.
+using SampleMaterial = std::function<MaterialSample(const SurfacePoint& point, const Footprint&)>;
+
 /// A plane to the horizon and its colours at points of the scene, premultiplied by alpha; the plane
 /// is transparent where alpha is below 1.
 struct PlaneLayer {
     Plane plane;
     FilteredColor color;
+    PointMaterial material{};  ///< the whole material, for an environment's light
+};
+
+/// What lights a scene besides the headlight, and what lies behind and below it.
+struct DirectSurroundings {
+    const TracedLight* light = nullptr;      ///< null: the headlight, or none
+    const Environment* backdrop = nullptr;   ///< null: the background is a colour, or none
+    const Blockers* blockers = nullptr;      ///< what throws a shadow on the ground
+    const TracedLight* on_ground = nullptr;  ///< null: there is no ground
 };
 
 /// A mesh with its shading, and planes.
@@ -77,13 +92,18 @@ struct DirectScene {
     SampleColor color;
     SurfaceNormal bumped;  ///< the normals for shading from the interpolated ones; empty: those
     std::span<const PlaneLayer> planes;
+    SampleMaterial material{};  ///< the whole material, for an environment's light
+    DirectSurroundings around{};
 };
 
 /// Draws mesh and planes, nearer ones over farther ones as far as they are transparent: every
 /// placement of every part of the mesh, all with the colours of the first. Bit-identical for every
 /// thread count.
-Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
-                           const PictureOptions& options);
+Image<Rgba8> render_samples(const DirectScene& scene, const Camera& camera,
+                            const PictureOptions& options);
+
+/// The colours of a picture, whatever their alpha.
+Image<Rgb8> opaque(const Image<Rgba8>& picture);
 
 /// Draws the mesh alone, with colours per triangle point, as render_samples() does.
 Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,

@@ -12,12 +12,17 @@
 
 #include "app/base/shader_source.h"
 #include "app/base/version.h"
+#include "app/export/emit_knobs.h"
 #include "app/export/emit_material.h"
+#include "app/export/knob.h"
+#include "app/export/shader_numbers.h"
 #include "app/image/exr_stream.h"
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/controls.h"
 #include "procedural/glsl/graph.h"
 #include "procedural/glsl/plain.h"
 #include "procedural/maps/point_map.h"
+#include "procedural/numbers/rotation.h"
 
 namespace burl {
 
@@ -25,17 +30,13 @@ namespace {
 
 /// The GLSL text "vec3(x, y, z)".
 std::string column(const Vec3d& v) {
-    const auto number = [](double x) { return glsl_number(x, GlslReal::float32); };
-    return fmt::format("vec3({}, {}, {})", number(v.x), number(v.y), number(v.z));
+    return fmt::format("vec3({}, {}, {})", shader_number(v.x), shader_number(v.y),
+                       shader_number(v.z));
 }
 
-/// The name in printable ASCII without backslashes, since GLSL 3.30 is ASCII and a backslash or a
-/// line's end would end the comment elsewhere.
-std::string in_comment(std::string name) {
-    for (char& c : name)
-        if (c < ' ' || c > '~' || c == '\\') c = '?';
-    return name;
-}
+constexpr const char* about_knobs =
+    R"( The uniforms knob_... are the recipe's controls: other values give what
+// --set "NAME=VALUE" gives.)";
 
 std::string header(const Recipe& recipe) {
     return fmt::format(R"(#version 330 core
@@ -48,33 +49,64 @@ std::string header(const Recipe& recipe) {
 // with them. To fill the mesh's atlas with the colour, run main() once per texel (one triangle over a
 // target of the atlas's size) with the atlas's solid map, which burl bake --solid-map writes. Encode the
 // colours as sRGB, or let the target do it. They are point samples, and Burl's own up to rounding to
-// float32.
+// float32.{}
 )",
-                       recipe.name.empty() ? "without a name" : in_comment(recipe.name),
-                       burl_version());
+                       recipe.name.empty() ? "without a name" : in_glsl_comment(recipe.name),
+                       burl_version(), recipe.controls.empty() ? "" : about_knobs);
 }
 
-std::string matrix(const Affine3& map) {
-    return fmt::format(
-        "const mat4x3 solid_from_object = mat4x3(\n    {},\n    {},\n    {},\n    {});\n",
-        column(map.linear[0]), column(map.linear[1]), column(map.linear[2]), column(map.offset));
+std::string matrix(const char* name, const Affine3& map) {
+    return fmt::format("const mat4x3 {} = mat4x3(\n    {},\n    {},\n    {},\n    {});\n", name,
+                       column(map.linear[0]), column(map.linear[1]), column(map.linear[2]),
+                       column(map.offset));
+}
+
+/// The map from texture coordinates of `from` to those of the same points by `to`.
+Affine3 change_of(const SolidOptions& from, const SolidOptions& to) {
+    const double scale = to.scale / from.scale;
+    Affine3 change{Mat3d(scale)};
+    if (from.rotate != to.rotate)
+        change.linear = scale * rotation_about_axes(to.rotate) *
+                        glm::transpose(rotation_about_axes(from.rotate));
+    change.offset = to.translate - change.linear * from.translate;
+    return change;
+}
+
+/// Whether a control of the recipe moves its texture coordinates.
+bool moves_solid(const Recipe& recipe) {
+    return std::ranges::any_of(recipe.controls, [](const RecipeControl& control) {
+        return std::ranges::any_of(control.sets, [](const std::string& entry) {
+            return control_target(entry).path.starts_with("solid.");
+        });
+    });
 }
 
 constexpr const char* main_function =
     R"(uniform sampler2D solid_map;  // X, Y, Z and A of the file, as floats
 uniform vec3 solid_base;      // "base" of the file's header
-
+{}
 layout(location = 0) out vec4 color;
 
-void main() {
+void main() {{
     vec4 texel = texelFetch(solid_map, ivec2(gl_FragCoord.xy), 0);
-    color = vec4(texture_color(texel.a > 0.0 ? solid_base + texel.xyz : vec3(0.0)), 1.0);
-}
+    vec3 solid = texel.a > 0.0 ? {} : vec3(0.0);
+    color = vec4(texture_color(solid), 1.0);
+}}
 )";
+
+/// The main function of a shader whose solid map is in texture coordinates of `mapped`.
+std::string main_text(const Recipe& recipe, const Recipe& mapped) {
+    if (!moves_solid(mapped))
+        return fmt::format(fmt::runtime(main_function), "", "solid_base + texel.xyz");
+    return fmt::format(fmt::runtime(main_function),
+                       "// From the map's points to the same with the controls' values.\n" +
+                           matrix("solid_from_map", change_of(mapped.solid, recipe.solid)),
+                       "solid_from_map * vec4(solid_base + texel.xyz, 1.0)");
+}
 
 /// The sentence about a shader's image, if it is that of the file or its alpha; else empty.
 std::string image_text(const GlslImage& image, const GraphImage& known) {
-    const std::string file = in_comment(known.file);
+    const std::string file = in_glsl_comment(known.file);
     if (image.pixels.get() == known.pixels->alpha())
         return fmt::format("// {} is the alpha of the image {}, as a grey, its top row first.\n",
                            image.uniform, file);
@@ -143,13 +175,21 @@ void encode(Imf::OStream& stream, const SolidMap& map, const Vec3d& base) {
 
 }  // namespace
 
-std::string emit_glsl(const Recipe& recipe, const Affine3& texture_from_mesh) {
-    const GlslTexture texture = glsl_material(recipe.texture, recipe.bump.input, GlslReal::float32);
-    const std::string definitions = glsl_needed_by(
-        {"texture_color", "texture_planes", "bump_input"}, glsl_in_float(text_of(texture)));
-    return header(recipe) + images_text(texture, with_images_of_bumps(recipe)) + "\n" +
-           definitions + "\n" + matrix(texture_from_mesh) + "\n" +
-           emitted_material(recipe, texture_from_mesh) + "\n" + main_function;
+EmittedShader emit_glsl(const Recipe& recipe, const Affine3& solid_from_mesh) {
+    std::string images;
+    const auto text = [&](const Recipe& turned) {
+        const GlslTexture texture =
+            glsl_material(turned.texture, turned.bump.input, GlslReal::float32);
+        images = images_text(texture, with_images_of_bumps(turned));
+        const Affine3 map = texture_from_solid(turned).after(solid_from_mesh);
+        const std::string definitions = glsl_needed_by(
+            {"texture_color", "texture_planes", "bump_input"}, glsl_in_float(text_of(texture)));
+        return definitions + "\n" + matrix("solid_from_object", map) + "\n" +
+               emitted_material(turned, map) + "\n" + main_text(turned, recipe);
+    };
+    KnobbedShader shader = with_knobs(recipe, text);
+    const std::string uniforms = shader.uniforms.empty() ? "" : "\n" + shader.uniforms;
+    return {header(recipe) + images + uniforms + "\n" + shader.text, std::move(shader.notes)};
 }
 
 WrittenSolidMap write_solid_map(const std::string& path, Pipeline& pipeline, int threads) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/export/shader_numbers.h"
 #include "app/pipeline/material.h"
 #include "procedural/color/srgb.h"
 #include "procedural/glsl/graph.h"
@@ -31,13 +32,9 @@ struct TextureMaterial {
 };
 )";
 
-std::string number_text(double x) {
-    return glsl_number(x, GlslReal::float32);
-}
-
 std::string color_text(const Rgb8& color, double factor) {
     const auto light = [&](std::uint8_t code) {
-        return number_text(factor * srgb_decode(double(code) / 255.0));
+        return shader_number(factor * srgb_decode(double(code) / 255.0));
     };
     return fmt::format("vec3({}, {}, {})", light(color.r), light(color.g), light(color.b));
 }
@@ -64,7 +61,7 @@ class MaterialWriter {
         color(Channel::sheen, recipe_.material.sheen, 1.0);
         for (const Channel channel : {Channel::sheen_roughness, Channel::transmission})
             number(channel);
-        assign("ior", number_text(recipe_.material.ior));
+        assign("ior", shader_number(recipe_.material.ior));
         return fmt::format(
             "TextureMaterial texture_material(vec3 solid) {{\n{}    return material;\n}}\n",
             lines_);
@@ -78,7 +75,7 @@ class MaterialWriter {
     /// The channel's number from 0 to 1 as an expression.
     std::string share(Channel channel) const {
         return layout_.of(channel) ? fmt::format("clamp(planes.{}, 0.0, 1.0)", to_string(channel))
-                                   : number_text(channel_number(recipe_.material, channel));
+                                   : shader_number(channel_number(recipe_.material, channel));
     }
 
     void number(Channel channel) { assign(to_string(channel), share(channel)); }
@@ -87,23 +84,24 @@ class MaterialWriter {
         const std::string_view name = to_string(channel);
         if (!layout_.of(channel)) return assign(name, color_text(constant, strength));
         assign(name, fmt::format("{}planes.{}",
-                                 strength == 1.0 ? "" : number_text(strength) + " * ", name));
+                                 strength == 1.0 ? "" : shader_number(strength) + " * ", name));
     }
 
     /// The alpha times the opacity as an expression of `cover` and `planes`.
     std::string cover() const {
         const double constant = channel_number(recipe_.material, Channel::opacity);
         const std::string opacity =
-            layout_.of(Channel::opacity) ? share(Channel::opacity) : number_text(constant);
+            layout_.of(Channel::opacity) ? share(Channel::opacity) : shader_number(constant);
         if (!clear_) return opacity;
-        return opacity == number_text(1.0) ? "cover" : "cover * " + opacity;
+        return opacity == shader_number(1.0) ? "cover" : "cover * " + opacity;
     }
 
     /// The alpha's expression where the base colour may be transparent.
     std::string alpha() const {
         const Material& material = recipe_.material;
         if (material.alpha == AlphaMode::mask)
-            return fmt::format("{} >= {} ? 1.0 : 0.0", cover(), number_text(material.alpha_cutoff));
+            return fmt::format("{} >= {} ? 1.0 : 0.0", cover(),
+                               shader_number(material.alpha_cutoff));
         const bool varies = clear_ || layout_.of(Channel::opacity);
         return varies ? fmt::format("clamp({}, 0.0, 1.0)", cover()) : cover();
     }
@@ -168,7 +166,7 @@ std::string emitted_material(const Recipe& recipe, const Affine3& texture_from_m
         fmt::format("{}\n{}", material_struct, MaterialWriter(recipe).text());
     if (recipe.bump.empty()) return material + flat_text;
     return material + fmt::format(fmt::runtime(bumps_text),
-                                  number_text(height_on_mesh(recipe, texture_from_mesh)));
+                                  shader_number(height_on_mesh(recipe, texture_from_mesh)));
 }
 
 }  // namespace burl

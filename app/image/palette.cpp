@@ -18,11 +18,11 @@ struct Color {
     std::int64_t pixels = 0;
 };
 
-std::vector<Color> histogram(const Image<Rgb8>& image) {
+std::vector<Color> histogram(std::span<const Rgb8> pixels) {
     std::map<std::array<int, 3>, std::int64_t> counts;
-    for (const Rgb8& p : image.pixels()) ++counts[{p.r, p.g, p.b}];
+    for (const Rgb8& p : pixels) ++counts[{p.r, p.g, p.b}];
     std::vector<Color> colors;
-    for (const auto& [code, pixels] : counts) colors.push_back({code, pixels});
+    for (const auto& [code, count] : counts) colors.push_back({code, count});
     return colors;
 }
 
@@ -123,10 +123,8 @@ double luminance(const Mean& mean) {
     return 0.2126 * mean[0] + 0.7152 * mean[1] + 0.0722 * mean[2];
 }
 
-}  // namespace
-
-IndexedImage with_palette(const Image<Rgb8>& image, std::size_t count) {
-    std::vector<Color> colors = histogram(image);
+/// The colours of a palette, before they are rounded, ascending by luminance; reorders `colors`.
+std::vector<Mean> palette_means(std::vector<Color>& colors, std::size_t count) {
     std::vector<Mean> means;
     for (const Box& box : median_cut(colors, count)) means.push_back(mean_of(box.colors));
     if (colors.size() > count)
@@ -134,11 +132,29 @@ IndexedImage with_palette(const Image<Rgb8>& image, std::size_t count) {
     std::sort(means.begin(), means.end(), [](const Mean& a, const Mean& b) {
         return luminance(a) != luminance(b) ? luminance(a) < luminance(b) : a < b;
     });
-    IndexedImage result{Image<std::uint8_t>(image.width(), image.height()), {}};
+    return means;
+}
+
+std::vector<Rgb8> rounded_colors(std::span<const Mean> means) {
+    std::vector<Rgb8> colors;
     for (const Mean& mean : means) {
         const auto rounded = [&](std::size_t a) { return std::uint8_t(mean[a] + 0.5); };
-        result.colors.push_back({rounded(0), rounded(1), rounded(2)});
+        colors.push_back({rounded(0), rounded(1), rounded(2)});
     }
+    return colors;
+}
+
+}  // namespace
+
+std::vector<Rgb8> palette_of(std::span<const Rgb8> pixels, std::size_t count) {
+    std::vector<Color> colors = histogram(pixels);
+    return rounded_colors(palette_means(colors, count));
+}
+
+IndexedImage with_palette(const Image<Rgb8>& image, std::size_t count) {
+    std::vector<Color> colors = histogram(image.pixels());
+    const std::vector<Mean> means = palette_means(colors, count);
+    IndexedImage result{Image<std::uint8_t>(image.width(), image.height()), rounded_colors(means)};
     std::map<std::array<int, 3>, std::uint8_t> index;
     for (const Color& color : colors) index[color.code] = std::uint8_t(nearest(means, color.code));
     for (std::size_t y = 0; y < image.height(); ++y)
@@ -150,7 +166,7 @@ IndexedImage with_palette(const Image<Rgb8>& image, std::size_t count) {
 }
 
 std::vector<std::uint8_t> encode_small_png(const Image<Rgb8>& image, std::size_t limit) {
-    if (histogram(image).size() > 256) {
+    if (histogram(image.pixels()).size() > 256) {
         std::vector<std::uint8_t> whole = encode_png(image, 9);
         if (whole.size() <= limit) return whole;
     }

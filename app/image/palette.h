@@ -3,6 +3,7 @@
 // for Frame Buffer Display", 1982), refined by two steps of Lloyd's algorithm.
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "atlas/base/image.h"
@@ -14,6 +15,10 @@ struct IndexedImage {
     Image<std::uint8_t> pixels;
     std::vector<Rgb8> colors;  ///< the palette, at most 256 colours
 };
+
+/// A palette of at most `count` (1 to 256) colours for these pixels, at least one, as with_palette
+/// has it; they ascend by luminance.
+std::vector<Rgb8> palette_of(std::span<const Rgb8> pixels, std::size_t count);
 
 /// The image with a palette of at most `count` (1 to 256) colours: means, in sRGB codes, of the
 /// colours they replace, or the image's own colours where it has no more. The image has at least

@@ -21,6 +21,8 @@ struct ShadedPoint {
     Vec3d sheen{0.0};
     double sheen_roughness = 0.0;
     double transmission = 0.0;
+    /// The unit normal of the clearcoat, which glTF leaves without bumps; zero: the surface's.
+    Vec3d coat_normal{0.0};
 };
 
 /// Reflectance of a dielectric at normal incidence: ((ior - 1) / (ior + 1))^2.
@@ -31,9 +33,13 @@ double dielectric_f0(double ior);
 Vec3d ambient_shading(const ShadedPoint& point, const Vec3d& normal, const Vec3d& view,
                       const PrefilteredLight& light);
 
-/// The fraction of light from unit direction `light` that goes to `view`, times normal . light:
-/// the function itself, for renderers that sum over directions.
+/// The fraction of light from unit direction `light` that goes to `view`, times |normal . light|:
+/// the function itself, for renderers that sum over directions. Directions below the surface count
+/// where it transmits. Emission is left out.
 Vec3d reflected(const ShadedPoint& point, const Vec3d& normal, const Vec3d& view,
                 const Vec3d& light);
+
+/// The light that the surface gives by itself, less what its clearcoat keeps.
+Vec3d emitted(const ShadedPoint& point, const Vec3d& normal, const Vec3d& view);
 
 }  // namespace burl

@@ -20,6 +20,7 @@ struct Environment {
 /// A built-in environment, with a sentence for people.
 struct EnvironmentNote {
     std::string_view name, sentence;
+    double paper = 0.8;  ///< luminance of a white ball's upper half in it, on average
 };
 
 /// The built-in environments in the order of `burl list environments`: studio, overcast, sun,
@@ -35,6 +36,12 @@ Environment load_environment(const std::string& path);
 
 /// The environment turned by `azimuth` degrees about +y: a light along +z comes from +x after 90.
 Environment turned(const Environment& environment, double azimuth);
+
+/// The light from a direction of any length but 0: bilinear between the pixels' centres.
+Vec3d light_from(const Environment& environment, const Vec3d& direction);
+
+/// The light at a point of the map, u and v in 0 to 1: bilinear between the pixels' centres.
+Vec3d light_at(const Environment& environment, const Vec2d& uv);
 
 /// The point of the equirectangular map that a direction of any length sees: u, v in 0..1, v = 0
 /// up.

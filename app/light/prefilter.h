@@ -33,12 +33,8 @@ PrefilteredLight prefilter(const Environment& environment, std::size_t side = 25
 /// The light of a diffuse surface with this unit normal: irradiance / pi.
 Vec3d diffuse_light(const PrefilteredLight& light, const Vec3d& normal);
 
-/// The split-sum table: at (column: n.v, row: perceptual roughness, both from texel centres) scale
-/// and bias of F0 in what a GGX surface with Smith's correlated masking reflects of white light.
-/// Their sum is the directional albedo E of a surface with F0 = 1.
-const Image<Vec2f>& reflectance_table();
-
-/// The values of the table at n.v and roughness, bilinear, clamped.
-Vec2d reflectance(double cosine, double roughness);
+/// The mean light over the GGX lobe of this roughness about a unit direction: trilinear in the
+/// glossy levels.
+Vec3d glossy_light(const PrefilteredLight& light, const Vec3d& direction, double roughness);
 
 }  // namespace burl

@@ -1,6 +1,7 @@
 #pragma once
 // The tone curve: Khronos PBR Neutral (Khronos Group, "PBR Neutral Tone Mapper" specification,
-// 2024), which leaves colours up to 0.8 as they are and compresses what is brighter.
+// 2024). It takes away the 0.04 that a dielectric reflects of white light, leaves the rest of
+// colours up to 0.8 as it is, and compresses what is brighter.
 #include "app/light/light.h"
 #include "atlas/base/vec.h"
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -18,6 +20,7 @@
 #include "app/options/idle_options.h"
 #include "app/recipe/channel_texture.h"
 #include "atlas/base/error.h"
+#include "procedural/graph/masks.h"
 #include "procedural/model/texture_json.h"
 
 namespace burl {
@@ -27,18 +30,18 @@ namespace {
 struct EvalCommand {
     RecipeOptions recipe;
     NoiseOptions noise;
-    std::string points, channel;
+    std::string points, channel, mesh;
     bool json = false;
 };
 
 /// The keys without effect on the texture at a point.
 constexpr std::array idle_in_eval{
     IdleKey{"atlas", "eval works without an atlas"},
-    IdleKey{"solid.space", "eval's points are in solid space"},
     IdleKey{"bump.height", "eval is of numbers, which nothing shades"},
     IdleKey{"filter", "eval is of points, which no filter averages"},
     IdleKey{"paint", "eval is of the texture below the paint"},
-    IdleKey{"pose", "eval has no mesh"}};
+    IdleKey{"pose", "eval knows no pose of a mesh"},
+    IdleKey{"solid.space", "eval's points are in solid space, and there is no --mesh"}};
 
 std::string srgb_text(const Vec3d& linear) {
     return color_to_hex(encoded(linear));
@@ -130,21 +133,35 @@ Recipe of_channel(Recipe recipe, const std::string& channel) {
     return recipe;
 }
 
+/// The mesh that masks are of; none where none is named.
+std::optional<Mesh> mesh_for(const EvalCommand& command, const Recipe& recipe) {
+    if (command.mesh.empty()) return {};
+    if (first_mask_node(recipe.texture, GraphOutput::color).empty())
+        throw Error(ExitCode::usage,
+                    "--mesh: the texture reads no mask of a mesh's shape; leave it out");
+    return MeshOptions().load(command.mesh);
+}
+
 void run_eval(const EvalCommand& command, bool recipe_given) {
     if (recipe_given == command.noise.given())
         throw Error(ExitCode::usage, "name either a recipe or, with --noise, one noise");
     if (!recipe_given && (!command.recipe.settings.empty() || command.recipe.time))
         throw Error(ExitCode::usage,
                     "--set and --time are of recipes; a noise has options of its own");
+    if (!recipe_given && !command.mesh.empty())
+        throw Error(ExitCode::usage, "--mesh is of recipes; a noise knows no mesh");
     if (!recipe_given && !command.channel.empty())
         throw Error(ExitCode::usage, "--channel is of recipes; a noise has one value");
     // Points are read last, since a wrong recipe should be reported without them.
     std::optional<Recipe> recipe;
+    std::optional<Mesh> mesh;
     if (recipe_given) {
         recipe = command.recipe.load();
-        refuse_edits(command.recipe, idle_in_eval);
+        refuse_edits(command.recipe,
+                     std::span(idle_in_eval).first(idle_in_eval.size() - !command.mesh.empty()));
         check_edits(command.recipe, *recipe);
         recipe = of_channel(std::move(*recipe), command.channel);
+        mesh = mesh_for(command, *recipe);
     }
     const std::optional<std::string>& asked = command.recipe.precision;
     const Precision precision = recipe  ? recipe->precision
@@ -152,7 +169,8 @@ void run_eval(const EvalCommand& command, bool recipe_given) {
                                         : Precision{};
     const PointFile file = read_points(command.points);
     const std::vector<PointResult> results =
-        recipe ? evaluate_points(*recipe, file) : evaluate_points(command.noise, file, precision);
+        recipe ? evaluate_points(*recipe, file, mesh ? &*mesh : nullptr)
+               : evaluate_points(command.noise, file, precision);
     const bool fixed = precision.kind == PrecisionKind::fixed;
     if (command.json)
         write_json("-", results_json(file, results, fixed));
@@ -173,6 +191,9 @@ void add_eval(CLI::App& program) {
     verb->add_option("--channel", command->channel,
                      "Channel of the recipe's material in place of its colour")
         ->check(CLI::IsMember(channel_names()));
+    verb->add_option("--mesh", command->mesh,
+                     "Mesh or sample whose shape masks of the texture are of, each at the mesh's "
+                     "point nearest to the one asked for");
     command->noise.add(*verb);
     command->recipe.add_precision(*verb, "float32, beside float64");
     verb->add_flag("--json", command->json, "Print JSON");

@@ -9,6 +9,7 @@
 
 #include "app/direct/figures.h"
 #include "app/gl/device/context.h"
+#include "app/light/environment.h"
 #include "app/main/verbs.h"
 #include "app/measure/report.h"
 #include "app/options/command_options.h"
@@ -100,6 +101,10 @@ std::vector<Entry> entries_of(const std::string& what) {
         });
     if (what == "figures")
         return entries(figures(), [](const Figure& f) { return Entry{f.name, f.shows}; });
+    if (what == "environments")
+        return entries(environment_notes(), [](const EnvironmentNote& note) {
+            return Entry{std::string(note.name), std::string(note.sentence)};
+        });
     if (what == "atlases") {
         std::vector<Entry> kinds;
         for (std::size_t k = 0; k < enum_names<AtlasKind>.size(); ++k)
@@ -141,16 +146,17 @@ void print_entries(const std::vector<Entry>& entries, bool json) {
 void add_list(CLI::App& program) {
     auto* verb = program.add_subcommand("list",
                                         "List recipes, materials, meshes, atlases, noises, nodes, "
-                                        "parameters, figures, or this OpenGL");
+                                        "parameters, figures, environments, or this OpenGL");
     auto what = std::make_shared<std::string>();
     auto platform = std::make_shared<std::string>(gl_platforms()[0]);
     auto json = std::make_shared<bool>(false);
     verb->add_option(
             "what", *what,
-            "recipes, materials, meshes, atlases, noises, nodes, parameters, figures or gl")
+            "recipes, materials, meshes, atlases, noises, nodes, parameters, figures, environments "
+            "or gl")
         ->required()
         ->check(one_of({"recipes", "materials", "meshes", "atlases", "noises", "nodes",
-                        "parameters", "figures", "gl"}));
+                        "parameters", "figures", "environments", "gl"}));
     auto* gl = verb->add_option("--gl", *platform,
                                 "gl: osmesa (software) or egl (a graphics "
                                 "processor)")

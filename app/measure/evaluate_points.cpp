@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/base/file_bytes.h"
-#include "app/pipeline/texture_color.h"
+#include "app/pipeline/mesh_shape.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/error.h"
 #include "procedural/color/table.h"
@@ -194,10 +194,20 @@ Evaluation evaluate_fixed(const PreparedRecipe& recipe, const FixedField& field,
     return {f, {}, recipe.colors(f)};
 }
 
-/// Evaluates a graph at a point; the value of a colour is its luminance (ITU-R BT.709).
+std::vector<Vec3d> places_of(const PointFile& file) {
+    std::vector<Vec3d> places;
+    for (const auto& [x, y, z, w] : file.points) places.emplace_back(x, y, z);
+    return places;
+}
+
+/// Evaluates a graph at point number `number`, of which `masks` has the values; the value of a
+/// colour is its luminance (ITU-R BT.709).
 template <class Real>
 Evaluation evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scratch& scratch,
-                          const Affine3& map, const Vec3d& point) {
+                          const Affine3& map, const Vec3d& point, const MaskValues& masks,
+                          std::size_t number) {
+    scratch.masks.clear();
+    for (const std::vector<Dual>& mask : masks) scratch.masks.push_back({mask[number]});
     const Vec3d s = map(point);
     GraphSample sample;
     evaluate({&s, 1}, {}, scratch, {&sample, 1});
@@ -207,19 +217,27 @@ Evaluation evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scratc
     return rounded<Real>(value.value, value.slope * map.linear, sample.color());
 }
 
-std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& file) {
-    check_points(recipe.texture, "texture");
+std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& file,
+                                        const Mesh* mesh) {
+    if (const std::string mask = first_mask_node(recipe.texture, GraphOutput::color);
+        !mesh && !mask.empty())
+        throw Error(ExitCode::unsupported,
+                    fmt::format("texture: {}; name the mesh with --mesh", no_texels_for(mask)));
+    const std::vector<Vec3d> points = places_of(file);
+    MaskValues masks;
+    if (mesh) {
+        const MeshShape shape(*mesh, solid_from_mesh(*mesh, recipe.solid.space));
+        masks = masks_at(shape, recipe, recipe.texture, points);
+    }
     const Filter filter{FilterKind::trapezoid};
     const GraphEvaluator exact(recipe.texture, filter),
         quick(recipe.texture, filter, PrecisionKind::float32);
     GraphEvaluator::Scratch scratch = exact.make_scratch();
     const Affine3 map = texture_from_solid(recipe);
     std::vector<PointResult> results;
-    for (const auto& [x, y, z, w] : file.points) {
-        const Vec3d point(x, y, z);
-        results.push_back({evaluate_graph<double>(exact, scratch, map, point),
-                           evaluate_graph<float>(quick, scratch, map, point)});
-    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+        results.push_back({evaluate_graph<double>(exact, scratch, map, points[i], masks, i),
+                           evaluate_graph<float>(quick, scratch, map, points[i], masks, i)});
     return results;
 }
 
@@ -299,7 +317,8 @@ std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& fi
     return results;
 }
 
-std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file) {
+std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file,
+                                         const Mesh* mesh) {
     if (file.dimensions != 3)
         throw Error(
             ExitCode::usage,
@@ -310,7 +329,7 @@ std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& 
     }
     const Texture* texture = plain_texture(recipe.texture);
     std::vector<PointResult> results =
-        texture ? evaluate_model(recipe, *texture, file) : evaluate_graph(recipe, file);
+        texture ? evaluate_model(recipe, *texture, file) : evaluate_graph(recipe, file, mesh);
     if (recipe.precision.kind == PrecisionKind::float64) return only_float64(std::move(results));
     return results;
 }

@@ -49,7 +49,10 @@ std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& fi
 /// Evaluates f, its gradient with respect to the point in solid space (before the recipe's scale)
 /// and the colour, in float64 and the recipe's precision. float32 means noise in float32 and the
 /// sum in float64, as in a bake, then rounded. The value of a graph that gives a colour is its
-/// luminance. Throws Error: usage for points that are not x,y,z, and as check_lattice does.
-std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file);
+/// luminance. Masks of the shape are those of `mesh` at its points nearest to the file's. Throws
+/// Error: usage for points that are not x,y,z, unsupported for a texture that reads a mask where
+/// `mesh` is null, and as check_lattice does.
+std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file,
+                                         const Mesh* mesh = nullptr);
 
 }  // namespace burl

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -15,15 +16,6 @@
 namespace burl {
 
 namespace {
-
-constexpr int most_frames = 9999;
-
-/// A number that changes linearly from the first frame to the last.
-struct Key {
-    std::string path;  ///< the path of one number, such as "texture.input.noise.0.phase.2"
-    double from = 0.0, to = 0.0;
-    bool whole = false;  ///< whether the parameter is an integer: values are rounded
-};
 
 bool parse_number(std::string_view text, double& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -38,7 +30,14 @@ const Parameter* parameter_with_item(std::string_view path) {
     return parameter && parameter->type == ParameterType::numbers ? parameter : nullptr;
 }
 
-void check_path(Key& key, const std::string& text) {
+/// Throws Error(usage) for a path that is no number outside the atlas; a path that the parameter
+/// table does not have is left to load_recipe.
+void check_path(NumberMove& key) {
+    const std::string& text = key.said;
+    if (key.path.starts_with("camera."))
+        throw Error(
+            ExitCode::usage,
+            fmt::format("--animate {}: only pictures have a camera; `burl render` moves it", text));
     if (key.path.starts_with("atlas."))
         throw Error(ExitCode::usage,
                     fmt::format("--animate {}: all frames share one atlas, so nothing of it can "
@@ -59,48 +58,27 @@ void check_path(Key& key, const std::string& text) {
                                              text, key.path, to_string(parameter->type)));
 }
 
-/// Parses "PATH=FROM:TO". Throws Error(usage) unless FROM and TO are finite numbers and PATH is one
-/// number outside the atlas; a path that the parameter table does not have is left to load_recipe.
-Key parse_key(const std::string& text) {
-    const std::size_t equals = text.find('='), colon = text.find(':', equals);
-    Key key;
-    if (equals == std::string::npos || equals == 0 || colon == std::string::npos)
-        throw Error(ExitCode::usage,
-                    fmt::format("--animate: \"{}\" must have the form PATH=FROM:TO", text));
-    key.path = text.substr(0, equals);
-    const std::string_view values = text;
-    const std::string_view from = values.substr(equals + 1, colon - equals - 1);
-    const std::string_view to = values.substr(colon + 1);
-    check_path(key, text);
-    if (!parse_number(from, key.from) || !parse_number(to, key.to))
-        throw Error(ExitCode::usage,
-                    fmt::format("--animate {}: FROM and TO must be numbers, but they are \"{}\" "
-                                "and \"{}\"",
-                                text, from, to));
+/// Parses "PATH=FROM:TO" of a recipe's number. Throws Error(usage) as parse_move and check_path do.
+NumberMove parse_key(const std::string& text) {
+    NumberMove key = parse_move(text);
+    check_path(key);
     return key;
-}
-
-/// The key's value at frame i of n (from 0).
-double value_at(const Key& key, int i, int n, bool loop) {
-    const double t = double(i) / double(loop ? n : n - 1);
-    const double value = (1.0 - t) * key.from + t * key.to;
-    return key.whole ? std::round(value) : value;
 }
 
 /// The parsed --animate options of a recipe. Throws Error(usage) for a number that is set or moved
 /// twice.
-std::vector<Key> parse_keys(const MovedRecipe& moved, const KeyedAnimation& own) {
+std::vector<NumberMove> parse_keys(const MovedRecipe& moved, const KeyedAnimation& own) {
     const std::vector<RecipeEdit> edits = moved.options.edits();
-    std::vector<Key> keys;
+    std::vector<NumberMove> keys;
     for (const std::string& text : moved.keys) {
-        const Key key = parse_key(text);
+        const NumberMove key = parse_key(text);
         for (const RecipeEdit& edit : edits)
             if (edit.path == key.path)
                 throw Error(ExitCode::usage,
                             fmt::format("{} does nothing: --animate {} says {} in every frame; "
                                         "leave one of them out",
                                         edit.said, text, key.path));
-        for (const Key& other : keys)
+        for (const NumberMove& other : keys)
             if (other.path == key.path)
                 throw Error(ExitCode::usage, fmt::format("--animate: {} is given twice", key.path));
         for (const KeyTrack& track : own.tracks)
@@ -117,14 +95,14 @@ std::vector<Key> parse_keys(const MovedRecipe& moved, const KeyedAnimation& own)
 /// A recipe with the numbers that --animate moves.
 struct Track {
     const RecipeOptions& options;
-    std::vector<Key> keys;
+    std::vector<NumberMove> keys;
 };
 
 /// The track's recipe at frame `frame` of n, `seconds` after the first frame. An error of
 /// load_keyed() that begins with --set is thrown with --animate and the frame instead.
 Recipe recipe_in_frame(const Track& track, double seconds, int frame, int n, bool loop) {
     RecipeOptions options = track.options;
-    for (const Key& key : track.keys)
+    for (const NumberMove& key : track.keys)
         options.settings.push_back(fmt::format("{}={}", key.path, value_at(key, frame, n, loop)));
     try {
         return recipe_at(options.load_keyed(), seconds);
@@ -137,20 +115,49 @@ Recipe recipe_in_frame(const Track& track, double seconds, int frame, int n, boo
     }
 }
 
+/// Whether any of the recipes has keys, and the --time of all.
+struct KeysAndTime {
+    bool keyed = false;
+    std::optional<double> time{};
+};
+
+/// Throws Error(usage) for a --time where no recipe has keys.
+void check_time(const KeysAndTime& found) {
+    if (found.time && !found.keyed)
+        throw Error(ExitCode::usage,
+                    "--time: no recipe of the picture has keys over time; leave it out");
+}
+
 /// The recipes of a single picture, at the times of --time.
 std::vector<Recipe> still_recipes(std::span<const MovedRecipe> recipes) {
     std::vector<Recipe> result;
-    bool keyed = false, timed = false;
+    KeysAndTime found;
     for (const MovedRecipe& moved : recipes) {
         const Recipe recipe = moved.options.load_keyed();
-        keyed |= !recipe.animation.tracks.empty();
-        timed |= moved.options.time.has_value();
+        found.keyed |= !recipe.animation.tracks.empty();
+        if (moved.options.time) found.time = moved.options.time;
         result.push_back(recipe_at(recipe, moved.options.time.value_or(0.0)));
     }
-    if (timed && !keyed)
-        throw Error(ExitCode::usage,
-                    "--time: no recipe of the picture has keys over time; leave it out");
+    check_time(found);
     return result;
+}
+
+/// The --time at which recipes stand still in all frames; none: their keys run. Throws Error(usage)
+/// where nothing else moves.
+std::optional<double> time_held(std::span<const MovedRecipe> recipes,
+                                const AnimationOptions& animation) {
+    KeysAndTime found;
+    for (const MovedRecipe& moved : recipes)
+        if (moved.options.time) found.time = moved.options.time;
+    if (!found.time) return {};
+    if (!animation.recipes_may_rest)
+        throw Error(ExitCode::usage,
+                    "--time is one moment and --frames runs through all of them; leave one of them "
+                    "out");
+    for (const MovedRecipe& moved : recipes)
+        found.keyed |= !moved.options.load_keyed().animation.tracks.empty();
+    check_time(found);
+    return found.time;
 }
 
 }  // namespace
@@ -163,18 +170,42 @@ void AnimationOptions::add(CLI::App& verb) {
     auto* count = verb.add_option("--frames", frames,
                                   "Frames of the animation: of the recipe's keys, of --animate, or "
                                   "of both");
-    count->check(CLI::Range(2, most_frames))->excludes(verb.get_option("--time"));
+    count->check(CLI::Range(2, most_frames));
     animate->needs(count);
     verb.add_flag("--loop", loop, "The frame after the last one is the first: TO is never reached")
         ->needs(count);
 }
 
+NumberMove parse_move(const std::string& text) {
+    const std::size_t equals = text.find('='), colon = text.find(':', equals);
+    if (equals == std::string::npos || equals == 0 || colon == std::string::npos)
+        throw Error(ExitCode::usage,
+                    fmt::format("--animate: \"{}\" must have the form PATH=FROM:TO", text));
+    NumberMove move{text, text.substr(0, equals)};
+    const std::string_view values = text;
+    const std::string_view from = values.substr(equals + 1, colon - equals - 1);
+    const std::string_view to = values.substr(colon + 1);
+    if (!parse_number(from, move.from) || !parse_number(to, move.to))
+        throw Error(ExitCode::usage,
+                    fmt::format("--animate {}: FROM and TO must be numbers, but they are \"{}\" "
+                                "and \"{}\"",
+                                text, from, to));
+    return move;
+}
+
+double value_at(const NumberMove& move, int i, int n, bool loop) {
+    const double t = double(i) / double(loop ? n : n - 1);
+    const double value = (1.0 - t) * move.from + t * move.to;
+    return move.whole ? std::round(value) : value;
+}
+
 std::vector<std::vector<Recipe>> frame_recipes(std::span<const MovedRecipe> recipes,
                                                const AnimationOptions& animation) {
     if (!animation.asked()) return {still_recipes(recipes)};
+    const std::optional<double> held = time_held(recipes, animation);
     std::vector<Track> tracks;
     KeyedAnimation clock;
-    bool moves = false;
+    bool moves = animation.recipes_may_rest;
     for (const MovedRecipe& moved : recipes) {
         const KeyedAnimation own = moved.options.load_keyed().animation;
         tracks.push_back({moved.options, parse_keys(moved, own)});
@@ -189,7 +220,7 @@ std::vector<std::vector<Recipe>> frame_recipes(std::span<const MovedRecipe> reci
     clock.loop |= animation.loop;
     std::vector<std::vector<Recipe>> frames;
     for (int i = 0; i < animation.frames; ++i) {
-        const double seconds = frame_seconds(clock, i, animation.frames);
+        const double seconds = held.value_or(frame_seconds(clock, i, animation.frames));
         frames.emplace_back();
         for (const Track& track : tracks)
             frames.back().push_back(

@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
+#include "app/pipeline/mesh_shape.h"
 #include "app/surface/normals.h"
 #include "atlas/base/each_index.h"
 #include "atlas/base/error.h"
@@ -28,8 +27,17 @@ std::vector<Vec3d> point_normals(const Mesh& mesh) {
     return normals;
 }
 
+/// The masks of the recipe's bump.input at the points of a mesh, whose recipe's solid lies in the
+/// box of `rest`.
+MaskValues masks_of(const Mesh& mesh, const Recipe& recipe, const Mesh& rest) {
+    if (first_mask_node(recipe.bump.input, GraphOutput::color).empty()) return {};
+    const Affine3 map = solid_from_mesh(rest, recipe.solid.space);
+    return masks_at(MeshShape(mesh, map), recipe, recipe.bump.input, map_positions(mesh, map));
+}
+
 /// The values of the recipe's bump.input at points of its texture's space.
-std::vector<double> heights_at(const TextureGraph& input, const std::vector<Vec3d>& points) {
+std::vector<double> heights_at(const TextureGraph& input, const std::vector<Vec3d>& points,
+                               const MaskValues& masks) {
     const GraphEvaluator evaluate(input);
     std::vector<double> heights(points.size());
     const std::size_t batches = (points.size() + graph_batch_size - 1) / graph_batch_size;
@@ -38,6 +46,8 @@ std::vector<double> heights_at(const TextureGraph& input, const std::vector<Vec3
         const std::size_t count = std::min(graph_batch_size, points.size() - first);
         std::array<GraphSample, graph_batch_size> samples;
         GraphEvaluator::Scratch scratch = evaluate.make_scratch();
+        for (const std::vector<Dual>& mask : masks)
+            scratch.masks.emplace_back(&mask[first], &mask[first] + count);
         evaluate({&points[first], count}, {}, scratch, {samples.data(), count});
         for (std::size_t i = 0; i < count; ++i) heights[first + i] = samples[i].channels[0].value;
     };
@@ -48,17 +58,12 @@ std::vector<double> heights_at(const TextureGraph& input, const std::vector<Vec3
 }  // namespace
 
 Mesh displaced_mesh(const Mesh& mesh, const Recipe& recipe, const Mesh& rest) {
-    if (const std::string mask = first_mask_node(recipe.bump.input, GraphOutput::color);
-        !mask.empty())
-        throw Error(ExitCode::unsupported,
-                    fmt::format("bump.input: {} is of the texels of an atlas, and displacement "
-                                "moves points; leave --displace out, or the node",
-                                mask));
     const Affine3 map = texture_from_mesh(recipe, rest);
     const double height = recipe.bump.height / solid_units(rest, recipe.solid.space);
     std::vector<Vec3d> points;
     for (const Vec3d& p : mesh.positions) points.push_back(map(p));
-    const std::vector<double> heights = heights_at(recipe.bump.input, points);
+    const std::vector<double> heights =
+        heights_at(recipe.bump.input, points, masks_of(mesh, recipe, rest));
     if (!std::ranges::all_of(heights, [](double h) { return std::isfinite(h); }))
         throw Error(ExitCode::unsupported,
                     "bump.input has no finite value at some of the mesh's points, which "

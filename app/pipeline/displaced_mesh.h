@@ -9,8 +9,9 @@ namespace burl {
 /// The mesh with every point moved along its normal by bump.height times the value of bump.input
 /// there, in float64. `rest` is the mesh in whose box the recipe's solid lies, which has the points
 /// of `mesh` or fewer. A point's normal is the mean of its corners' normals, which are the mesh's
-/// own where it has some, weighted by the corners' angles, so that nothing tears at creases. The
-/// result has no normals; bump.input must be there.
+/// own where it has some, weighted by the corners' angles, so that nothing tears at creases. Masks
+/// are those of `mesh` at its points, on one of their triangles. The result has no normals;
+/// bump.input must be there.
 Mesh displaced_mesh(const Mesh& mesh, const Recipe& recipe, const Mesh& rest);
 
 }  // namespace burl

@@ -37,9 +37,9 @@ std::span<const std::string_view> mask_picture_names() {
 template <class Code>
 Image<Code> mask_picture(Pipeline& pipeline, const std::string& name) {
     const TextureGraph graph = graph_from_json({{"node", name}});
-    const MaskImages mask = pipeline.masks()(pipeline.solid(), graph, GraphOutput::color);
+    const MaskImages mask = pipeline.masks()(pipeline.solid(), graph, GraphOutput::color, {});
     const auto [factor, offset] = range_of(pipeline, name);
-    return converted<Code>(*mask.front(), [=](float value) {
+    return converted<Code>(mask.front()->values, [=](float value) {
         return linear_code<Code>(factor * double(value) + offset);
     });
 }
@@ -47,7 +47,7 @@ Image<Code> mask_picture(Pipeline& pipeline, const std::string& name) {
 template <class Pixel>
 Image<Pixel> light_picture(Pipeline& pipeline) {
     const TextureGraph graph = graph_from_json({{"node", light_picture_name}});
-    const MaskImages masks = pipeline.masks()(pipeline.solid(), graph, GraphOutput::color);
+    const MaskImages masks = pipeline.masks()(pipeline.solid(), graph, GraphOutput::color, {});
     return synthesize_graph<Pixel>(pipeline.solid(), graph, {}, {}, pipeline.context().way.threads,
                                    PrecisionKind::float32, {}, {}, masks);
 }

@@ -4,8 +4,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
+#include <stop_token>
+#include <vector>
 
-#include "atlas/solid/solid_atlas.h"
+#include "app/recipe/recipe.h"
+#include "atlas/solid/texel_field.h"
+#include "atlas/solid/texel_owners.h"
 #include "procedural/fill/mask_images.h"
 
 namespace burl {
@@ -33,22 +38,35 @@ class MeshShape {
     MeshShape(Mesh mesh, const Affine3& solid_from_mesh);
     ~MeshShape();
 
-    /// The mask at all texels of an atlas of the mesh, 0 for texels that show nothing. Occlusion,
-    /// the sky's light, thickness and curvature are interpolated between points at most about four
-    /// texels apart where they are smooth; all others are the mask at the texel's point.
-    Image<float> image(const SolidAtlas& solid, const TexelMaskKey& key) const;
+    /// The mask at all texels of an atlas of the mesh, 0 for texels that show nothing, with its
+    /// gradients if `slopes`. Occlusion, the sky's light, thickness and curvature are interpolated
+    /// between points at most about four texels apart where they are smooth; all others are the
+    /// mask at the texel's point. Once `stop` is requested the result must not be used.
+    TexelField image(const SolidAtlas& solid, const TexelOwners& owners, const TexelMaskKey& key,
+                     bool slopes, const std::stop_token& stop = {}) const;
+
+    /// The mask, with its gradients, at the points of the mesh that are nearest to `positions`,
+    /// both in the SolidAtlas's space. Gradients without a closed form are differences over a 256th
+    /// of the box's diagonal, about what four texels of a texture of 1024 x 1024 are.
+    std::vector<Dual> at(std::span<const Vec3d> positions, const TexelMaskKey& key) const;
 
   private:
     /// Light sees the normals that the mesh is drawn with: computed ones where it has none.
-    Image<float> light(const SolidAtlas& solid, const GraphMask& mask) const;
+    TexelField light(const SolidAtlas& solid, const TexelOwners& owners, const GraphMask& mask,
+                     bool slopes, const std::stop_token& stop) const;
 
     Mesh mesh_;  ///< in the SolidAtlas's space
     std::unique_ptr<const ShapeScene> scene_;
 };
 
+/// The masks of a graph of the recipe, at the points of the shape's mesh that are nearest to
+/// `positions` in the SolidAtlas's space; their gradients are with respect to the texture's point.
+MaskValues masks_at(const MeshShape& shape, const Recipe& recipe, const TextureGraph& graph,
+                    std::span<const Vec3d> positions);
+
 /// Gives images for the masks that a graph's output reads, at the texels of an atlas of the
-/// pipeline's mesh.
-using MaskSource =
-    std::function<MaskImages(const SolidAtlas&, const TextureGraph&, GraphOutput output)>;
+/// pipeline's mesh. Once `stop` is requested they must not be used.
+using MaskSource = std::function<MaskImages(const SolidAtlas&, const TextureGraph&,
+                                            GraphOutput output, const std::stop_token& stop)>;
 
 }  // namespace burl

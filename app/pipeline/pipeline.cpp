@@ -69,8 +69,10 @@ const SolidAtlas& Pipeline::solid(std::uint32_t level) {
 }
 
 MaskSource Pipeline::masks() {
-    return [this](const SolidAtlas& solid, const TextureGraph& graph, GraphOutput output) {
-        return stages_.masks.run(context_, mesh_, mesh_atlas(), solid, recipe_, graph, output);
+    return [this](const SolidAtlas& solid, const TextureGraph& graph, GraphOutput output,
+                  const std::stop_token& stop) {
+        return stages_.masks.run(context_, mesh_, mesh_atlas(), solid, recipe_, graph, output,
+                                 stop);
     };
 }
 

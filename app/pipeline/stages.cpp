@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "atlas/base/mip_chain.h"
@@ -29,8 +30,18 @@ LevelSynthesis level_synthesis(const StageContext& context, const MaskSource& ma
     return
         [skips = context.skips, way, &masks, &cost](const SolidAtlas& solid, const Recipe& recipe) {
             return fill_texture<RgbF>(solid, recipe, way, {skips, &cost.work},
-                                      masks(solid, recipe.texture, GraphOutput::color));
+                                      masks(solid, recipe.texture, GraphOutput::color, {}));
         };
+}
+
+/// Whether a texture or bumps of the recipe take the gradient of a mask: its filter, a node `slope`
+/// or the bumps themselves.
+bool takes_slopes(const Recipe& recipe, const GraphMask& mask) {
+    if (mask.kind == MaskKind::part) return false;  // it has none
+    if (recipe.filter.kind != FilterKind::none) return true;
+    if (has_slopes(recipe.texture, GraphOutput::planes)) return true;
+    const std::vector<GraphMask> bumps = graph_masks(recipe.bump.input);
+    return std::ranges::find(bumps, mask) != bumps.end();
 }
 
 }  // namespace
@@ -102,37 +113,44 @@ void SolidStage::forget() {
 
 MaskImages MaskStage::run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
                           const SolidAtlas& solid, const Recipe& recipe, const TextureGraph& graph,
-                          GraphOutput output) {
+                          GraphOutput output, const std::stop_token& stop) {
     const std::vector<GraphMask> masks = graph_masks(graph);
     const std::vector<bool> read = masks_read(graph, output);
     MaskImages images(masks.size());
-    for (std::size_t m = 0; m < masks.size(); ++m) {
+    std::optional<TexelOwners> owners;
+    for (std::size_t m = 0; m < masks.size() && !stop.stop_requested(); ++m) {
         const TexelMaskKey key = mask_key(masks[m], recipe.solid.scale, solid.size);
-        if (read[m]) images[m] = image(context, mesh, atlas, solid, recipe.solid.space, key);
+        const bool slopes = takes_slopes(recipe, masks[m]);
+        if (read[m]) images[m] = known(context, key, slopes);
+        if (!read[m] || images[m]) continue;
+        const bool done = context.records.attempt(Stage::masks, [&](StageCost& cost) {
+            if (!shape_)
+                shape_ = std::make_unique<const MeshShape>(
+                    atlas.mesh(mesh), solid_from_mesh(mesh, recipe.solid.space));
+            if (!owners) owners.emplace(solid, atlas.atlas(), OwnerReach::gutters);
+            images[m] = std::make_shared<const TexelField>(
+                shape_->image(solid, *owners, key, slopes, stop));
+            cost.work.texels = texels_of(solid);
+            cost.bytes = bytes_of(images[m]->values) + bytes_of(images[m]->slopes);
+            return !stop.stop_requested();
+        });
+        if (done) images_.emplace_back(key, images[m]);
     }
     return images;
 }
 
-std::shared_ptr<const Image<float>> MaskStage::image(StageContext& context, const Mesh& mesh,
-                                                     const MeshAtlas& atlas,
-                                                     const SolidAtlas& solid, SolidSpace space,
-                                                     const TexelMaskKey& key) {
-    const auto known = std::ranges::find(images_, key, &Known::first);
-    if (known != images_.end()) {
-        context.records.keep(Stage::masks);
-        return known->second;
+/// The kept image of a mask; null where there is none, or none with gradients where they are
+/// wanted, which is then forgotten.
+std::shared_ptr<const TexelField> MaskStage::known(StageContext& context, const TexelMaskKey& key,
+                                                   bool slopes) {
+    const auto found = std::ranges::find(images_, key, &Known::first);
+    if (found == images_.end()) return nullptr;
+    if (slopes && found->second->slopes.width() == 0) {
+        images_.erase(found);
+        return nullptr;
     }
-    auto made = context.records.time(Stage::masks, [&](StageCost& cost) {
-        if (!shape_)
-            shape_ =
-                std::make_unique<const MeshShape>(atlas.mesh(mesh), solid_from_mesh(mesh, space));
-        auto image = std::make_shared<const Image<float>>(shape_->image(solid, key));
-        cost.work.texels = texels_of(solid);
-        cost.bytes = bytes_of(*image);
-        return image;
-    });
-    images_.emplace_back(key, made);
-    return made;
+    context.records.keep(Stage::masks);
+    return found->second;
 }
 
 void MaskStage::keep_those_of(const Recipe& recipe) {
@@ -222,7 +240,7 @@ Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const Mes
             context.records.keep(Stage::normals);
             return *image;
         }
-    const MaskImages read = masks(solid, recipe.bump.input, GraphOutput::color);
+    const MaskImages read = masks(solid, recipe.bump.input, GraphOutput::color, {});
     Image<Pixel> map = context.records.time(Stage::normals, [&](StageCost& cost) {
         if (!frames_ || frames_->key != key) frames_ = make_normal_frames(mesh, atlas, key);
         Image<Pixel> image =

@@ -81,19 +81,20 @@ class SolidStage {
 class MaskStage {
   public:
     /// An image for each mask that the output of the recipe's `graph` reads at the texels of
-    /// `solid`, a level of the recipe's atlas in its space.
+    /// `solid`, a level of the recipe's atlas in its space. They have gradients where the recipe's
+    /// texture or bumps take them. None is kept that was made when `stop` was requested; the result
+    /// must then not be used.
     MaskImages run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
                    const SolidAtlas& solid, const Recipe& recipe, const TextureGraph& graph,
-                   GraphOutput output);
+                   GraphOutput output, const std::stop_token& stop = {});
     /// Frees the images that neither the texture nor the bumps of the recipe read.
     void keep_those_of(const Recipe& recipe);
     void forget();
 
   private:
-    using Known = std::pair<TexelMaskKey, std::shared_ptr<const Image<float>>>;
-    std::shared_ptr<const Image<float>> image(StageContext& context, const Mesh& mesh,
-                                              const MeshAtlas& atlas, const SolidAtlas& solid,
-                                              SolidSpace space, const TexelMaskKey& key);
+    using Known = std::pair<TexelMaskKey, std::shared_ptr<const TexelField>>;
+    std::shared_ptr<const TexelField> known(StageContext& context, const TexelMaskKey& key,
+                                            bool slopes);
 
     std::unique_ptr<const MeshShape> shape_;
     std::vector<Known> images_;

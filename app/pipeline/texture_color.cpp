@@ -118,6 +118,12 @@ FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
     };
 }
 
+Vec4d shown_color(const Material& material, const Vec4d& color, double opacity) {
+    if (material.alpha == AlphaMode::opaque) return {Vec3d(color), 1.0};
+    const Vec4d shown = opacity * color;
+    return material.alpha == AlphaMode::mask ? masked(shown, material.alpha_cutoff) : shown;
+}
+
 FilteredColor shown_color(const Recipe& recipe, FilterKind kind) {
     FilteredColor color = filtered_color(recipe, kind);
     const Material& material = recipe.material;
@@ -126,11 +132,9 @@ FilteredColor shown_color(const Recipe& recipe, FilterKind kind) {
             return Vec4d(Vec3d(color(s, footprint)), 1.0);
         };
     if (!is_transparent(recipe)) return color;
-    const bool masks = material.alpha == AlphaMode::mask;
-    return [color = std::move(color), opacity = opacity_at(recipe, kind), masks,
-            cutoff = material.alpha_cutoff](const Vec3d& s, const Footprint& footprint) {
-        const Vec4d shown = opacity(s, footprint) * color(s, footprint);
-        return masks ? masked(shown, cutoff) : shown;
+    return [color = std::move(color), opacity = opacity_at(recipe, kind), material](
+               const Vec3d& s, const Footprint& footprint) {
+        return shown_color(material, color(s, footprint), opacity(s, footprint));
     };
 }
 

@@ -27,8 +27,9 @@ void paint(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
 }
 
 /// The masks that the recipe's base colour reads.
-MaskImages color_masks(const MaskSource& masks, const SolidAtlas& solid, const Recipe& recipe) {
-    return masks(solid, recipe.texture, GraphOutput::color);
+MaskImages color_masks(const MaskSource& masks, const SolidAtlas& solid, const Recipe& recipe,
+                       const std::stop_token& stop = {}) {
+    return masks(solid, recipe.texture, GraphOutput::color, stop);
 }
 
 /// The cached unpainted picture, made anew where the recipe or the kind of pixel has changed; null
@@ -43,7 +44,9 @@ const Image<Pixel>* unpainted(StageContext& context, TextureCache& cache, const 
             return image;
         }
     const bool elsewhere = context.synthesizer && level == 0;
-    const MaskImages read = elsewhere ? MaskImages() : color_masks(masks, cache.solid(), recipe);
+    const MaskImages read =
+        elsewhere ? MaskImages() : color_masks(masks, cache.solid(), recipe, stop);
+    if (stop.stop_requested()) return nullptr;
     Image<Pixel>& image = cache.open<Pixel>();
     const bool done = context.records.attempt(Stage::synthesis, [&](StageCost& cost) {
         if (elsewhere)
@@ -119,7 +122,7 @@ template <class Pixel>
 std::vector<Image<Pixel>> TextureStage::run_pictures(StageContext& context, const SolidAtlas& solid,
                                                      const Recipe& recipe, const MaskSource& masks,
                                                      const std::vector<PicturePlan>& plans) const {
-    const MaskImages read = masks(solid, recipe.texture, GraphOutput::planes);
+    const MaskImages read = masks(solid, recipe.texture, GraphOutput::planes, {});
     return context.records.time(Stage::synthesis, [&](StageCost& cost) {
         std::vector<Image<Pixel>> pictures = synthesize_pictures<Pixel>(
             solid, recipe.texture, plans, texture_from_solid(recipe), recipe.filter,

@@ -51,8 +51,7 @@ std::span<const PresetNote> preset_notes() {
 }
 
 bool holds_text(std::string_view text, std::string_view part) {
-    return part.empty() ||
-           std::ranges::search(text, part, {}, lower, lower).begin() != text.end();
+    return part.empty() || std::ranges::search(text, part, {}, lower, lower).begin() != text.end();
 }
 
 }  // namespace burl

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/scene/camera.h"
+#include "app/scene/material.h"
 #include "atlas/base/image.h"
 #include "atlas/base/vec.h"
 #include "atlas/file/file_buffer.h"
@@ -29,27 +30,10 @@ struct SceneTexture {
     /// MIP levels 1, 2, ... from the file; where there are none, box means are computed when
     /// needed.
     std::vector<Image<Rgb8>> levels{};
-    bool is_color = true;  ///< false for data in linear codes (normals)
+    bool is_color = true;  ///< false for data in linear codes (normals, numbers)
     /// Alpha of the image and, as many as there are, of its levels; empty where all is opaque.
     Image<Grey8> alpha{};
     std::vector<Image<Grey8>> alpha_levels{};
-};
-
-/// The use that a material makes of alpha, as glTF defines it.
-enum class SceneAlpha {
-    opaque,  ///< none
-    mask,    ///< what is below the cutoff is not there
-    blend    ///< the share of the colour over what lies behind
-};
-
-struct SceneMaterial {
-    Vec4f factor{1.0f};  ///< linear; multiplies the texture's colour and alpha
-    int texture = -1;    ///< an index into Scene::textures; -1: white
-    /// The index into Scene::textures of a tangent-space normal map; -1: none.
-    int normals = -1;
-    float normal_scale = 1.0f;
-    SceneAlpha alpha = SceneAlpha::opaque;
-    float alpha_cutoff = 0.5f;
 };
 
 /// The morph target of a surface: changes per vertex, which are scaled by the target's weight.
@@ -90,10 +74,9 @@ struct Scene {
     std::vector<std::string> notes;
 };
 
-/// Loads a .glb or .gltf with its PNG textures. An .obj with one material is drawn with its Kd,
-/// map_Kd and norm. All other files (.ply, .stl, .off, .obj with several materials) are drawn in
-/// vertex colours or grey. Throws Error: io, invalid_file, unsupported (other formats; JPEG, WebP
-/// or KTX textures).
+/// Loads a .glb or .gltf with its PNG textures. An .obj with one material is drawn with that. All
+/// other files (.ply, .stl, .off, .obj with several materials) are drawn in vertex colours or grey.
+/// Throws Error: io, invalid_file, unsupported (other formats; JPEG, WebP or KTX textures).
 Scene load_scene(const std::string& path);
 
 /// The scene of a glTF file, with materials. Throws Error as load_scene does.

@@ -1,5 +1,5 @@
-// Scenes from glTF: the primitives of the default scene, with base colour factors and PNG textures
-// of the metallic-roughness materials (specification 3.9.2).
+// Scenes from glTF: the primitives of the default scene, with their metallic-roughness materials
+// (specification 3.9.2).
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <map>
 #include <string_view>
-#include <tuple>
 
-#include "app/image/image_io.h"
+#include "app/scene/gltf_material.h"
+#include "app/scene/gltf_textures.h"
 #include "app/scene/scene.h"
 #include "atlas/base/error.h"
 #include "atlas/file/text_scanner.h"
@@ -23,46 +23,10 @@ namespace burl {
 
 namespace {
 
-TextureFilter filter_of(const tinygltf::Sampler& sampler) {
-    switch (sampler.minFilter) {
-        case TINYGLTF_TEXTURE_FILTER_NEAREST:
-            return TextureFilter::nearest;
-        case TINYGLTF_TEXTURE_FILTER_LINEAR:
-            return TextureFilter::linear;
-        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
-        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
-        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
-        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
-            return TextureFilter::mip;
-        default:
-            break;
-    }
-    return sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ? TextureFilter::nearest
-                                                                : TextureFilter::linear;
-}
-
-TextureWrap wrap_of(int wrap) {
-    if (wrap == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return TextureWrap::clamp;
-    return wrap == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? TextureWrap::mirror
-                                                         : TextureWrap::repeat;
-}
-
-/// The format of encoded image bytes, from their signature.
-std::string_view image_type(const std::vector<unsigned char>& bytes) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.starts_with("\x89PNG\r\n\x1a\n")) return "PNG";
-    if (text.starts_with("\xff\xd8\xff")) return "JPEG";
-    if (text.starts_with("RIFF") &&
-        text.substr(std::min<std::size_t>(8, text.size())).starts_with("WEBP"))
-        return "WebP";
-    if (text.starts_with("\xabKTX ")) return "KTX";
-    return "of unknown type";
-}
-
 class GltfSceneLoader {
   public:
     GltfSceneLoader(const tinygltf::Model& model, const std::string& path)
-        : model_(model), path_(path) {}
+        : model_(model), path_(path), textures_(model, path, scene_.textures) {}
 
     Scene load() {
         for (const GltfPlacement& placement : scene_placements(model_)) {
@@ -98,6 +62,8 @@ class GltfSceneLoader {
         surface.blocks = read_vec4(primitive, "_BURL_BLOCK", surface.positions.size());
         surface.tangents = read_vec4(primitive, "TANGENT", surface.positions.size());
         set_target(surface, primitive, weights_of(placement), where);
+        // What glTF says of a primitive without a material.
+        surface.material.metallic = surface.material.roughness = 1.0f;
         if (primitive.material >= 0) set_material(surface, primitive, where);
         if (surface.normals.empty()) make_flat(surface);
         if (surface.material.normals >= 0 && surface.tangents.empty()) add_tangents(surface);
@@ -179,10 +145,8 @@ class GltfSceneLoader {
             return leave_out("uses KHR_texture_transform");
         if (info.texCoord != 0 || surface.uvs.size() != surface.positions.size())
             return leave_out("has other texture coordinates than TEXCOORD_0");
-        const int source = model_.textures[std::size_t(info.index)].source;
-        if (source < 0 || image_type(model_.images[std::size_t(source)].image) != "PNG")
-            return leave_out("is not a PNG that is there");
-        surface.material.normals = texture(info.index, false);
+        if (!textures_.has_png(info.index)) return leave_out("is not a PNG that is there");
+        surface.material.normals = textures_.load(info.index, false);
         surface.material.normal_scale = float(info.scale);
     }
 
@@ -199,14 +163,24 @@ class GltfSceneLoader {
         if (material.normalTexture.index >= 0)
             set_normal_map(surface, material.normalTexture, where);
         const tinygltf::TextureInfo& info = material.pbrMetallicRoughness.baseColorTexture;
-        if (info.index < 0) return;
+        if (info.index >= 0) set_base_color(surface, primitive, info, where);
+        const int uv_set = surface.uvs.size() == surface.positions.size() ? info.texCoord : -1;
+        read_gltf_material(
+            material,
+            {textures_, uv_set, fmt::format("{}: materials[{}]", path_, primitive.material),
+             scene_.notes},
+            surface.material);
+    }
+
+    void set_base_color(Surface& surface, const tinygltf::Primitive& primitive,
+                        const tinygltf::TextureInfo& info, const std::string& where) {
         if (info.extensions.contains("KHR_texture_transform")) {
             throw Error(ExitCode::unsupported,
                         fmt::format("{}: {} uses KHR_texture_transform, which is not drawn; apply "
                                     "the transform to the UVs",
                                     path_, where));
         }
-        surface.material.texture = texture(info.index, true);
+        surface.material.texture = textures_.load(info.index, true);
         if (info.texCoord != 0) surface.uvs = texture_coordinates(primitive, info, where);
         if (surface.uvs.size() != surface.positions.size()) {
             throw invalid_file(path_, 0,
@@ -231,65 +205,6 @@ class GltfSceneLoader {
             uvs.emplace_back(values[i][0], values[i][1]);
         }
         return uvs;
-    }
-
-    /// The index in the scene of a glTF texture, loaded at its first use as colour or as data.
-    int texture(int number, bool is_color) {
-        const auto [entry, is_new] =
-            loaded_.try_emplace({number, is_color}, int(scene_.textures.size()));
-        if (!is_new) return entry->second;
-        const tinygltf::Texture& source = model_.textures[std::size_t(number)];
-        SceneTexture texture;
-        texture.is_color = is_color;
-        std::tie(texture.image, texture.alpha) = colors_and_alpha(image(source.source));
-        add_levels(texture, source);
-        if (source.sampler >= 0) {
-            const tinygltf::Sampler& sampler = model_.samplers[std::size_t(source.sampler)];
-            texture.filter = filter_of(sampler);
-            texture.wrap_u = wrap_of(sampler.wrapS);
-            texture.wrap_v = wrap_of(sampler.wrapT);
-        }
-        scene_.textures.push_back(std::move(texture));
-        return entry->second;
-    }
-
-    /// Adds the MIP levels that Burl wrote beside the texture, up to the first of a wrong size.
-    void add_levels(SceneTexture& texture, const tinygltf::Texture& source) {
-        if (!source.extras.IsObject() || !source.extras.Has("burl_levels")) return;
-        const tinygltf::Value& numbers = source.extras.Get("burl_levels");
-        std::size_t width = texture.image.width(), height = texture.image.height();
-        for (std::size_t i = 0; numbers.IsArray() && i < numbers.ArrayLen(); ++i) {
-            const tinygltf::Value& number = numbers.Get(int(i));
-            if (!number.IsInt() || number.GetNumberAsInt() < 0 ||
-                std::size_t(number.GetNumberAsInt()) >= model_.images.size())
-                return;
-            auto [level, alpha] = colors_and_alpha(image(number.GetNumberAsInt()));
-            width = std::max<std::size_t>(1, width / 2);
-            height = std::max<std::size_t>(1, height / 2);
-            if (level.width() != width || level.height() != height) return;
-            texture.levels.push_back(std::move(level));
-            if (texture.alpha.width() > 0) texture.alpha_levels.push_back(std::move(alpha));
-        }
-    }
-
-    PngColors image(int number) {
-        const std::string where = fmt::format("images[{}]", number);
-        if (number < 0) {
-            throw Error(
-                ExitCode::unsupported,
-                fmt::format("{}: a texture has no PNG image; export it with PNG textures", path_));
-        }
-        const tinygltf::Image& image = model_.images[std::size_t(number)];
-        if (image.image.empty()) {
-            throw Error(ExitCode::io,
-                        fmt::format("{}: the texture '{}' is not there; put it beside the file",
-                                    path_, printable(image.uri)));
-        }
-        if (const std::string_view type = image_type(image.image); type != "PNG") {
-            throw Error(ExitCode::unsupported,
-                        fmt::format("{}: {} is {}; convert it to PNG", path_, where, type));
-        }
-        return decode_png_with_alpha(image.image, fmt::format("{}: {}", path_, where));
     }
 
     /// Gives every triangle vertices of its own with its face normal, as glTF requires where a
@@ -321,8 +236,7 @@ class GltfSceneLoader {
     const tinygltf::Model& model_;
     const std::string& path_;
     Scene scene_;
-    /// Scene textures by glTF texture and use as colour.
-    std::map<std::pair<int, bool>, int> loaded_;
+    GltfTextures textures_;
 };
 
 std::vector<std::string> files_beside(const tinygltf::Model& model, const std::string& path) {

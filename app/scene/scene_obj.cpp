@@ -1,10 +1,15 @@
-// Scenes from Wavefront OBJ: the mesh of read_mesh() with Kd, map_Kd and norm of its material
-// library where the file uses one material, as `burl bake` writes it.
+// Scenes from Wavefront OBJ: the mesh of read_mesh() with the material of its library where the
+// file uses one, with the extension of MTL for physically based rendering, as `burl bake` writes
+// it.
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "app/image/image_io.h"
 #include "app/scene/scene.h"
@@ -50,18 +55,60 @@ MaterialUse find_materials(const std::string& path) {
 }
 
 struct ObjMaterial {
-    Vec4f color{1.0f};
-    std::string map;      ///< map_Kd as written; empty: none
-    std::string normals;  ///< norm as written; empty: none
-    std::string alpha;    ///< map_d as written; empty: none
+    SceneMaterial look{};
+    /// Files of pictures by their keyword (map_Kd, norm, map_Pr ...), as written.
+    std::map<std::string, std::string, std::less<>> maps{};
+    /// The file that holds roughness and metallic together (app/export/obj.cpp); empty: none.
+    std::string packed{};
+
+    /// The file of this keyword; empty: none.
+    std::string map(std::string_view keyword) const {
+        const auto found = maps.find(keyword);
+        return found == maps.end() ? std::string() : found->second;
+    }
 };
 
-Vec4f parse_color(const FileBuffer& file, std::string_view rest) {
+/// The comment by which Burl's materials name a picture that no keyword of MTL could.
+constexpr std::string_view packed_comment = "roughness and metallic: ";
+
+Vec3f parse_color(const FileBuffer& file, std::string_view keyword, std::string_view rest) {
     const FileBuffer line = buffer_from(rest, file.path);
     TextScanner scanner(line);
-    Vec4f color(1.0f);
-    for (int k = 0; k < 3; ++k) color[k] = float(scanner.number("a colour of Kd"));
-    return color;
+    Vec3f color(1.0f);
+    const std::string what = fmt::format("a colour of {}", keyword);
+    for (int k = 0; k < 3; ++k) color[k] = float(scanner.number(what.c_str()));
+    return glm::max(color, Vec3f(0.0f));
+}
+
+double parse_number(const FileBuffer& file, std::string_view keyword, std::string_view rest) {
+    const FileBuffer line = buffer_from(rest, file.path);
+    return TextScanner(line).number(fmt::format("the number of {}", keyword).c_str());
+}
+
+/// The numbers of the extension of MTL for physically based rendering.
+constexpr std::array<std::pair<std::string_view, float SceneMaterial::*>, 4> share_keywords{
+    {{"Pr", &SceneMaterial::roughness},
+     {"Pm", &SceneMaterial::metallic},
+     {"Pc", &SceneMaterial::clearcoat},
+     {"Pcr", &SceneMaterial::clearcoat_roughness}}};
+
+constexpr std::array<std::string_view, 7> map_keywords{"map_Kd", "norm",   "map_d", "map_Pr",
+                                                       "map_Pm", "map_Ke", "map_Ps"};
+
+/// Takes a line of the material.
+void parse_line(const FileBuffer& file, std::string_view keyword, std::string_view rest,
+                ObjMaterial& material) {
+    for (const auto& [name, member] : share_keywords)
+        if (keyword == name)
+            material.look.*member = float(std::clamp(parse_number(file, keyword, rest), 0.0, 1.0));
+    if (std::ranges::find(map_keywords, keyword) != map_keywords.end())
+        material.maps.insert_or_assign(std::string(keyword), std::string(rest));
+    if (keyword == "Kd") material.look.factor = Vec4f(parse_color(file, keyword, rest), 1.0f);
+    if (keyword == "Ke") material.look.emissive = parse_color(file, keyword, rest);
+    if (keyword == "Ni")
+        material.look.ior = float(std::clamp(parse_number(file, keyword, rest), 1.0, 100.0));
+    if (keyword == "#" && rest.starts_with(packed_comment))
+        material.packed = rest.substr(packed_comment.size());
 }
 
 std::optional<ObjMaterial> parse_material(const FileBuffer& file, const std::string& name) {
@@ -71,14 +118,8 @@ std::optional<ObjMaterial> parse_material(const FileBuffer& file, const std::str
         if (keyword == "newmtl") {
             inside = rest == name && !material;
             if (inside) material.emplace();
-        } else if (inside && keyword == "Kd") {
-            material->color = parse_color(file, rest);
-        } else if (inside && keyword == "map_Kd") {
-            material->map = rest;
-        } else if (inside && keyword == "norm") {
-            material->normals = rest;
-        } else if (inside && keyword == "map_d") {
-            material->alpha = rest;
+        } else if (inside) {
+            parse_line(file, keyword, rest, *material);
         }
     });
     return material;
@@ -140,53 +181,151 @@ PngColors read_map(const std::string& obj_path, const char* keyword, const std::
 /// Whether alpha is that of the colours' map; a note is made of any other, which is not drawn.
 bool has_own_alpha(const std::string& path, const ObjMaterial& material,
                    std::vector<std::string>& notes) {
-    if (material.alpha.empty()) return false;
-    if (material.alpha == material.map || material.alpha == "-imfchan m " + material.map)
-        return true;
+    const std::string map = material.map("map_Kd"), alpha = material.map("map_d");
+    if (alpha.empty()) return false;
+    if (alpha == map || alpha == "-imfchan m " + map) return true;
     notes.push_back(fmt::format("{}: map_d {} is another file than map_Kd; drawn opaque", path,
-                                printable(material.alpha)));
+                                printable(alpha)));
     return false;
 }
+
+/// Red of one picture as green, red of another as blue, where glTF has roughness and metallic; an
+/// empty picture is white. Empty where their sizes differ.
+Image<Rgb8> roughness_and_metallic(const Image<Rgb8>& roughness, const Image<Rgb8>& metallic) {
+    const Image<Rgb8>& any = roughness.width() > 0 ? roughness : metallic;
+    for (const Image<Rgb8>* one : {&roughness, &metallic})
+        if (one->width() > 0 && (one->width() != any.width() || one->height() != any.height()))
+            return {};
+    Image<Rgb8> both(any.width(), any.height(), {255, 255, 255});
+    for (std::size_t y = 0; y < both.height(); ++y)
+        for (std::size_t x = 0; x < both.width(); ++x) {
+            if (roughness.width() > 0) both(x, y).g = roughness(x, y).r;
+            if (metallic.width() > 0) both(x, y).b = metallic(x, y).r;
+        }
+    return both;
+}
+
+/// Occlusion, roughness and metallic, as glTF packs them, from Unity's mask map: metallic,
+/// occlusion, none, smoothness.
+Image<Rgb8> from_mask_map(const Image<Rgb8>& mask, const Image<Grey8>& smoothness) {
+    Image<Rgb8> orm(mask.width(), mask.height());
+    for (std::size_t y = 0; y < orm.height(); ++y)
+        for (std::size_t x = 0; x < orm.width(); ++x) {
+            const std::uint8_t smooth = smoothness.width() > 0 ? smoothness(x, y) : 255;
+            orm(x, y) = {mask(x, y).g, std::uint8_t(255 - smooth), mask(x, y).r};
+        }
+    return orm;
+}
+
+/// Loads the pictures of a material into a scene.
+class ObjPictures {
+  public:
+    ObjPictures(const std::string& path, const ObjMaterial& material, Scene& scene)
+        : path_(path),
+          folder_(std::filesystem::path(path).parent_path()),
+          material_(material),
+          scene_(scene) {}
+
+    /// Sets the material's textures.
+    void load(SceneMaterial& look) {
+        if (const std::string map = material_.map("map_Kd"); !map.empty())
+            look.texture = add(read("map_Kd", map), true);
+        if (look.texture >= 0 && has_own_alpha(path_, material_, scene_.notes))
+            look.alpha = SceneAlpha::blend;
+        look.normals = add(read_if_there("norm", "normal map"), false);
+        set(look, MaterialMap::emissive, add(read_if_there("map_Ke", "picture of map_Ke"), true));
+        set(look, MaterialMap::sheen, add(read_if_there("map_Ps", "picture of map_Ps"), true));
+        if (look.map(MaterialMap::sheen) >= 0) look.sheen = Vec3f(1.0f);
+        if (material_.packed.empty())
+            load_separate(look);
+        else
+            load_packed(look);
+    }
+
+  private:
+    static void set(SceneMaterial& look, MaterialMap map, int texture) {
+        look.maps[std::size_t(map)] = texture;
+    }
+
+    PngColors read(const char* keyword, const std::string& map) {
+        scene_.files.push_back((folder_ / map).string());
+        return read_map(path_, keyword, map);
+    }
+    /// The picture of a keyword; empty where there is none, or with a note none that can be drawn.
+    PngColors read_if_there(const char* keyword, std::string_view what) {
+        const std::string map = material_.map(keyword);
+        if (map.empty()) return {};
+        if (is_png(map) && file_exists(folder_ / map)) return read(keyword, map);
+        scene_.notes.push_back(
+            fmt::format("{}: the {} {} is not a PNG that is there; drawn "
+                        "without",
+                        path_, what, printable(map)));
+        return {};
+    }
+
+    /// Adds a texture; -1 for an empty image.
+    int add(PngColors image, bool is_color) {
+        SceneTexture texture;
+        std::tie(texture.image, texture.alpha) = colors_and_alpha(std::move(image));
+        if (texture.image.width() == 0) return -1;
+        texture.is_color = is_color;
+        scene_.textures.push_back(std::move(texture));
+        return int(scene_.textures.size()) - 1;
+    }
+
+    void load_separate(SceneMaterial& look) {
+        const auto roughness = colors_and_alpha(read_if_there("map_Pr", "picture of map_Pr")).first,
+                   metallic = colors_and_alpha(read_if_there("map_Pm", "picture of map_Pm")).first;
+        if (roughness.width() == 0 && metallic.width() == 0) return;
+        Image<Rgb8> both = roughness_and_metallic(roughness, metallic);
+        if (both.width() == 0) {
+            scene_.notes.push_back(
+                fmt::format("{}: map_Pr and map_Pm differ in size; drawn without", path_));
+            return;
+        }
+        if (roughness.width() > 0) look.roughness = 1.0f;
+        if (metallic.width() > 0) look.metallic = 1.0f;
+        set(look, MaterialMap::metallic_roughness, add(std::move(both), false));
+    }
+
+    /// Loads the picture that the exporter's comment names.
+    void load_packed(SceneMaterial& look) {
+        const std::string& name = material_.packed;
+        if (!is_png(name) || !file_exists(folder_ / name)) return;
+        auto [image, alpha] = colors_and_alpha(read("roughness and metallic", name));
+        if (name.ends_with("_mask.png")) image = from_mask_map(image, alpha);
+        const int texture = add(std::move(image), false);
+        look.roughness = look.metallic = 1.0f;
+        set(look, MaterialMap::metallic_roughness, texture);
+        set(look, MaterialMap::occlusion, texture);
+    }
+
+    const std::string& path_;
+    std::filesystem::path folder_;
+    const ObjMaterial& material_;
+    Scene& scene_;
+};
 
 }  // namespace
 
 Scene load_obj_scene(const std::string& path) {
     const Mesh mesh = read_mesh(path);
-    std::vector<std::string> notes;
     const MaterialUse use = find_materials(path);
-    const auto material = whole_material(path, use, notes);
+    Scene pictures;
+    const auto material = whole_material(path, use, pictures.notes);
     const bool colored = !mesh.corners.colors.empty();
-    const bool mapped = material && !mesh.corners.uvs.empty();
-    const auto folder = std::filesystem::path(path).parent_path();
-
     SceneMaterial look;
     if (!material) look.factor = colored ? Vec4f(1.0f) : default_grey;
-    if (material) look.factor = material->color;
-    std::vector<SceneTexture> textures;
-    std::vector<std::string> files;
-    const auto add_texture = [&](const char* keyword, const std::string& map, bool is_color) {
-        SceneTexture& texture = textures.emplace_back();
-        std::tie(texture.image, texture.alpha) = colors_and_alpha(read_map(path, keyword, map));
-        texture.is_color = is_color;
-        files.push_back((folder / map).string());
-        return int(textures.size()) - 1;
-    };
-    if (material) files.push_back((folder / use.library).string());
-    if (mapped && !material->map.empty()) look.texture = add_texture("map_Kd", material->map, true);
-    if (look.texture >= 0 && has_own_alpha(path, *material, notes)) look.alpha = SceneAlpha::blend;
-    if (mapped && !material->normals.empty()) {
-        if (is_png(material->normals) && file_exists(folder / material->normals))
-            look.normals = add_texture("norm", material->normals, false);
-        else
-            notes.push_back(
-                fmt::format("{}: the normal map {} is not a PNG that is there; drawn "
-                            "without",
-                            path, printable(material->normals)));
+    if (material) {
+        look = material->look;
+        const auto folder = std::filesystem::path(path).parent_path();
+        pictures.files.push_back((folder / use.library).string());
+        if (!mesh.corners.uvs.empty()) ObjPictures(path, *material, pictures).load(look);
     }
     Scene scene = scene_from_mesh(mesh, look);
-    scene.textures = std::move(textures);
-    scene.files = std::move(files);
-    scene.notes = std::move(notes);
+    scene.textures = std::move(pictures.textures);
+    scene.files = std::move(pictures.files);
+    scene.notes = std::move(pictures.notes);
     return scene;
 }
 

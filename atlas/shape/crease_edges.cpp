@@ -55,20 +55,31 @@ std::vector<Segment> crease_segments(const ShapeScene& shape, double angle) {
     return segments;
 }
 
-double square_distance(const Segment& segment, const Vec3d& p) {
+/// The way to a point from the nearest place of a segment.
+Vec3d way_from(const Segment& segment, const Vec3d& p) {
     const Vec3d along = segment[1] - segment[0], off = p - segment[0];
     const double square = glm::dot(along, along);
     const double at = square > 0.0 ? std::clamp(glm::dot(off, along) / square, 0.0, 1.0) : 0.0;
-    const Vec3d rest = off - at * along;
-    return glm::dot(rest, rest);
+    return off - at * along;
 }
 
-/// Lowers `best`, a squared distance, to that of the nearest segment below the node.
-void search(const CreaseEdges& edges, std::uint32_t number, const Vec3d& p, double& best) {
+/// The way to a point from the nearest place known, and its squared length.
+struct NearestEdge {
+    double square = 0.0;
+    Vec3d way{0.0};  ///< 0 where no edge is nearer than the square at first
+
+    void take(const Vec3d& other) {
+        if (const double length = glm::dot(other, other); length < square)
+            square = length, way = other;
+    }
+};
+
+/// Gives `best` the segments below the node that are nearer.
+void search(const CreaseEdges& edges, std::uint32_t number, const Vec3d& p, NearestEdge& best) {
     const BoxNode& node = edges.tree().nodes[number];
     if (node.second == 0) {
         for (std::uint32_t i = node.begin; i < node.end; ++i)
-            best = std::min(best, square_distance(edges.segments()[edges.tree().items[i]], p));
+            best.take(way_from(edges.segments()[edges.tree().items[i]], p));
         return;
     }
     std::array<std::uint32_t, 2> children{number + 1, node.second};
@@ -76,7 +87,20 @@ void search(const CreaseEdges& edges, std::uint32_t number, const Vec3d& p, doub
                               square_distance(edges.tree().nodes[children[1]].box, p)};
     if (off[1] < off[0]) std::swap(off[0], off[1]), std::swap(children[0], children[1]);
     for (std::size_t k = 0; k < 2; ++k)
-        if (off[k] < best) search(edges, children[k], p, best);
+        if (off[k] < best.square) search(edges, children[k], p, best);
+}
+
+/// Calls visit(i, nearest edge within `farthest`) for all points.
+template <class Visit>
+void for_nearest(const ShapeScene& shape, const CreaseEdges& edges,
+                 std::span<const ShapePoint> points, double farthest, const Visit& visit) {
+    const double limit = std::clamp(farthest / shape.diagonal(), 0.0, 1.0);
+    const auto work = [&](std::size_t i) {
+        NearestEdge best{limit * limit};
+        if (edges.count() > 0) search(edges, 0, shape.to_unit(points[i].position), best);
+        visit(i, best);
+    };
+    for_each_index(points.size(), work, points_at_a_time);
 }
 
 }  // namespace
@@ -90,13 +114,18 @@ CreaseEdges::CreaseEdges(const ShapeScene& shape, double angle)
 
 void edge_distance(const ShapeScene& shape, const CreaseEdges& edges,
                    std::span<const ShapePoint> points, double farthest, std::span<float> values) {
-    const double limit = std::clamp(farthest / shape.diagonal(), 0.0, 1.0);
-    const auto work = [&](std::size_t i) {
-        double best = limit * limit;
-        if (edges.count() > 0) search(edges, 0, shape.to_unit(points[i].position), best);
-        values[i] = float(shape.diagonal() * std::sqrt(best));
-    };
-    for_each_index(points.size(), work, points_at_a_time);
+    for_nearest(shape, edges, points, farthest, [&](std::size_t i, const NearestEdge& edge) {
+        values[i] = float(shape.diagonal() * std::sqrt(edge.square));
+    });
+}
+
+void edge_distance_slopes(const ShapeScene& shape, const CreaseEdges& edges,
+                          std::span<const ShapePoint> points, double farthest,
+                          std::span<Vec3d> slopes) {
+    for_nearest(shape, edges, points, farthest, [&](std::size_t i, const NearestEdge& edge) {
+        const double length = glm::length(edge.way);
+        slopes[i] = length > 0.0 ? edge.way / length : Vec3d(0.0);
+    });
 }
 
 }  // namespace burl

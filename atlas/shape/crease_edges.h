@@ -37,4 +37,10 @@ class CreaseEdges {
 void edge_distance(const ShapeScene& shape, const CreaseEdges& edges,
                    std::span<const ShapePoint> points, double farthest, std::span<float> values);
 
+/// The gradients of edge_distance(): away from the nearest place on an edge, of length 1; 0 on an
+/// edge itself and where the distance is cut to `farthest`.
+void edge_distance_slopes(const ShapeScene& shape, const CreaseEdges& edges,
+                          std::span<const ShapePoint> points, double farthest,
+                          std::span<Vec3d> slopes);
+
 }  // namespace burl

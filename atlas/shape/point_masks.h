@@ -11,10 +11,18 @@ namespace burl {
 /// The cosine between each point's shading normal and `direction`, a unit vector: in [-1, 1].
 void facing(std::span<const ShapePoint> points, const Vec3d& direction, std::span<float> values);
 
+/// The gradients of facing(), along the triangles and per mesh unit: those of normals interpolated
+/// between corners and made as long as 1. 0 where the shading normal is the triangle's.
+void facing_slopes(const ShapeScene& shape, std::span<const ShapePoint> points,
+                   const Vec3d& direction, std::span<Vec3d> slopes);
+
 /// How high each point lies in the mesh's bounding box along an axis (0 to 2 for x to z): 0 on its
 /// low side, 1 on its high side, 0.5 where the box has no height.
 void height_in_box(std::span<const ShapePoint> points, const Box3& box, int axis,
                    std::span<float> values);
+
+/// The gradient of height_in_box(), which is the same everywhere; 0 where the box has no height.
+Vec3d height_slope(const Box3& box, int axis);
 
 /// The kind of a mesh's pieces: triangles that hang together across shared points, or parts of the
 /// file.
@@ -32,5 +40,13 @@ void vertex_color(const Mesh& mesh, const ShapeScene& shape, std::span<const Sha
 /// The file's texture coordinates at each point, as vertex_color(); 0 where the mesh has none.
 void vertex_uv(const Mesh& mesh, const ShapeScene& shape, std::span<const ShapePoint> points,
                std::span<Vec2d> values);
+
+/// The gradients of a component of vertex_color(), along the triangles and per mesh unit.
+void vertex_color_slopes(const Mesh& mesh, const ShapeScene& shape, int component,
+                         std::span<const ShapePoint> points, std::span<Vec3d> slopes);
+
+/// The gradients of a component of vertex_uv(), along the triangles and per mesh unit.
+void vertex_uv_slopes(const Mesh& mesh, const ShapeScene& shape, int component,
+                      std::span<const ShapePoint> points, std::span<Vec3d> slopes);
 
 }  // namespace burl

@@ -67,6 +67,16 @@ Vec3d ShapeScene::weights_at(std::uint32_t triangle, const Vec3d& position) cons
     return {1.0 - of_b - of_c, of_b, of_c};
 }
 
+std::array<Vec3d, 3> ShapeScene::weight_slopes(std::uint32_t triangle) const {
+    const auto& [a, b, c] = triangles_[triangle];
+    if (areas_[triangle] == 0.0) return {Vec3d(0.0), Vec3d(0.0), Vec3d(0.0)};
+    const Vec3d ab = points_[b] - points_[a], ac = points_[c] - points_[a];
+    const double scale = 1.0 / (2.0 * areas_[triangle] * diagonal_);
+    const Vec3d of_b = scale * glm::cross(ac, normals_[triangle]);
+    const Vec3d of_c = scale * glm::cross(normals_[triangle], ab);
+    return {-of_b - of_c, of_b, of_c};
+}
+
 Vec3d ShapeScene::inset(std::uint32_t triangle, const Vec3d& weights) const {
     Vec3d least(1.0 / 6.0);
     for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,7 @@
 #pragma once
 // A mesh as its masks see it: faces with their normals, moved to the origin and scaled to a
 // diagonal of 1, so that every distance is relative to the mesh.
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -47,6 +48,10 @@ class ShapeScene {
     /// a third each where the triangle has no area.
     Vec3d weights_at(std::uint32_t triangle, const Vec3d& position) const;
 
+    /// The gradients of these weights with respect to `position`, along the triangle and per mesh
+    /// unit; 0 where the triangle has no area.
+    std::array<Vec3d, 3> weight_slopes(std::uint32_t triangle) const;
+
     /// Maps a point in mesh units to the unit space.
     Vec3d to_unit(const Vec3d& position) const { return (position - centre_) / diagonal_; }
     double diagonal() const { return diagonal_; }  ///< of the bounding box, in mesh units; > 0
@@ -55,6 +60,9 @@ class ShapeScene {
     std::span<const Triangle> triangles() const { return triangles_; }
     std::span<const Vec3d> normals() const { return normals_; }  ///< of the triangles, as above
     std::span<const double> areas() const { return areas_; }  ///< of the triangles, in unit space
+    /// Shading normals of the triangles' corners, 3t+k; none where there are no others than the
+    /// triangles' own.
+    std::span<const Vec3f> corner_normals() const { return corner_normals_; }
     const RayTree& rays() const { return rays_; }
 
   private:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws the gallery of docs/guide/materials.md: every material of assets/materials on the bust, by Blender.
-# Debian's packages blender and webp are needed.
+# Debian's packages blender, python3-numpy (its importer's) and webp are needed.
 #   docs/images/materials.sh build/release/bin/burl [NAME...]
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

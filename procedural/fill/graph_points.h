@@ -77,14 +77,15 @@ class ImageStore {
 template <class Store>
 class PointQueue {
   public:
-    PointQueue(const GraphValues& graph, const Filter& filter, const MaskImages& masks, Store store)
+    PointQueue(const GraphValues& graph, const Filter& filter, const MaskReader& masks, Store store)
         : graph_(graph),
           masks_(masks),
           supersampled_(filter.kind == FilterKind::supersample),
           pattern_(supersampled_ ? filter.samples : 1),
           store_(std::move(store)),
           scratch_(graph.make_scratch()),
-          sums_(supersampled_ ? graph.results().size() + 1 : 0) {}
+          sums_(supersampled_ ? graph.results().size() + 1 : 0),
+          centres_(supersampled_ ? scratch_.masks.size() : 0) {}
 
     /// Adds a span's texels. Their points are computed from the span's start, so the bytes do not
     /// depend on batches.
@@ -105,7 +106,7 @@ class PointQueue {
     void flush() {
         if (count_ == 0) return;
         scratch_.work.texels += count_;
-        read_masks(masks_, pieces_, scratch_.masks);
+        masks_.read(pieces_, scratch_);
         if (supersampled_)
             find_means();
         else
@@ -140,6 +141,7 @@ class PointQueue {
     void find_means() {
         const std::size_t planes = sums_.size() - 1;
         for (auto& sum : sums_) std::fill_n(sum.values, count_, 0.0);
+        keep_masks();
         for (int i = 0; i < pattern_.samples(); ++i) {
             place_samples(i);
             run();
@@ -155,6 +157,15 @@ class PointQueue {
         }
     }
 
+    /// Keeps the masks at the texels' centres, from which those of samples are taken.
+    void keep_masks() {
+        for (std::vector<Dual>& one : centres_) one.clear();
+        for (const Piece& piece : pieces_)
+            for (std::size_t x = piece.x; x < piece.x + piece.solid.count; ++x)
+                for (std::size_t m = 0; m < centres_.size(); ++m)
+                    centres_[m].push_back(masks_.has(m) ? masks_(m, x, piece.y) : Dual());
+    }
+
     void place_samples(int sample) {
         std::size_t at = 0;
         for (const auto& [x, y, solid, down, length] : pieces_)
@@ -163,17 +174,21 @@ class PointQueue {
                 const double u = double(a), v = double(b);
                 const Vec3d p = solid.start + (solid.first + double(j) + u) * solid.step + v * down;
                 for (int axis = 0; axis < 3; ++axis) scratch_[Register(axis)][at] = p[axis];
+                for (std::size_t m = 0; m < centres_.size(); ++m)
+                    scratch_.masks[m].values[at] =
+                        moved(centres_[m][at], u * solid.step + v * down).value;
                 weights_[at] = gaussian_weight(u, v);
             }
     }
 
     const GraphValues& graph_;
-    const MaskImages& masks_;
+    const MaskReader& masks_;
     bool supersampled_;
     SamplePattern pattern_;
     Store store_;
     GraphValues::Scratch scratch_;
     std::vector<GraphValues::Scratch::Array> sums_;
+    MaskValues centres_;  ///< masks at the batch's texels, where there are several samples
     std::vector<const double*> planes_;
     std::vector<Piece> pieces_;
     std::vector<ParabolaLine> lines_;
@@ -212,8 +227,9 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
     WorkSum work(economy.work);
     RowGroups groups(solid.size, 16 * value_batch);
     groups.size = rows.count();
+    const MaskReader reader(masks, map);
     const auto fill_rows = [&](const RowRange& range) {
-        const auto queue = std::make_unique<PointQueue<Store>>(graph, filter, masks, store);
+        const auto queue = std::make_unique<PointQueue<Store>>(graph, filter, reader, store);
         for (std::size_t row = groups.begin(range.begin()); row != groups.begin(range.end());
              ++row) {
             const std::size_t y = rows.first + row;

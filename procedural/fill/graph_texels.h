@@ -23,7 +23,7 @@ template <class Pixel, class Shade, class Encode>
 class TexelQueue {
   public:
     TexelQueue(const GraphEvaluator& evaluate, const Filter& filter, const Shade& shade,
-               const Encode& encode, const RowBand<Pixel>& image, const MaskImages& masks)
+               const Encode& encode, const RowBand<Pixel>& image, const MaskReader& masks)
         : evaluate_(evaluate),
           kind_(filter.kind),
           pattern_(kind_ == FilterKind::supersample ? filter.samples : 1),
@@ -35,10 +35,11 @@ class TexelQueue {
 
     void add(const TexelPlace& texel) {
         texels_.push_back(texel);
-        append_masks(masks_, texel.x, texel.y, std::size_t(pattern_.samples()), scratch_.masks);
         for (int i = 0; i < pattern_.samples(); ++i) {
             const auto [u, v] = offset(i, texel);
             points_.push_back(texel.point + double(u) * texel.steps.u + double(v) * texel.steps.v);
+            masks_.append(texel.x, texel.y, double(u) * texel.steps.u + double(v) * texel.steps.v,
+                          scratch_.masks);
             footprints_.push_back(point_samples() ? Footprint{} : texel.steps);
         }
         if (points_.size() >= graph_batch_size) flush();
@@ -83,7 +84,7 @@ class TexelQueue {
     const Shade& shade_;
     const Encode& encode_;
     const RowBand<Pixel>& image_;
-    const MaskImages& masks_;
+    const MaskReader& masks_;
     GraphEvaluator::Scratch scratch_;
     std::vector<TexelPlace> texels_;
     std::vector<Vec3d> points_;
@@ -98,8 +99,9 @@ void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluat
                  const Filter& filter, const Shade& shade, const Encode& encode, int threads,
                  const RowBand<Pixel>& image, const std::stop_token& stop = {},
                  const MaskImages& masks = {}) {
+    const MaskReader reader(masks, map);
     const auto fill_rows = [&](const RowRange& rows) {
-        TexelQueue<Pixel, Shade, Encode> queue(evaluate, filter, shade, encode, image, masks);
+        TexelQueue<Pixel, Shade, Encode> queue(evaluate, filter, shade, encode, image, reader);
         for (std::size_t y = image.first + rows.begin(); y != image.first + rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];

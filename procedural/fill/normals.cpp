@@ -1,57 +1,14 @@
 #include "procedural/fill/normals.h"
 
 #include <cstdint>
-#include <limits>
 
-#include "atlas/solid/texel_rows.h"
+#include "atlas/solid/texel_owners.h"
 #include "procedural/fill/graph_texels.h"
 #include "procedural/fill/tangent_frame.h"
 
 namespace burl {
 
 namespace {
-
-constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
-// The distance in texels that a bilinear lookup inside a triangle can reach.
-constexpr double near = 1.5;
-
-/// Gives texels without an owner to the triangles that their centres lie within `reach` texels of.
-void claim(const Atlas& atlas, double reach, Image<std::uint32_t>& owners) {
-    const auto size = std::uint32_t(owners.width());
-    for (std::uint32_t t = 0; t < atlas.corners.size(); ++t)
-        visit_slices(atlas.corners[t], size, reach, [&](std::uint32_t row, const Interval& x) {
-            const TexelRun run = centres_within(x.low - reach, x.high + reach, size);
-            for (std::uint32_t& owner : owners.row(row).subspan(run.first, run.count))
-                if (owner == nobody) owner = t;
-        });
-}
-
-/// The triangle whose shading frame a texel has where its span has no single triangle: a planar
-/// patch of a patch atlas has one span per row whatever its triangles, and a closed hole has none.
-class FrameOwners {
-  public:
-    FrameOwners(const SolidAtlas& solid, const Atlas& atlas) : solid_(solid), atlas_(atlas) {
-        if (solid.turned.empty()) return;
-        owners_ = Image<std::uint32_t>(solid.size, solid.size, nobody);
-        for (const double reach : {0.0, near}) claim(atlas, reach, owners_);
-    }
-
-    /// The span's triangle where the span shows a single one; otherwise the triangle of the same
-    /// chart that the texel's centre lies in or is near to (lookups read up to a texel beyond);
-    /// otherwise the triangle that the span continues.
-    std::uint32_t operator()(std::uint32_t x, std::uint32_t y, std::uint32_t map) const {
-        const std::uint32_t shown = solid_.triangle_of(map);
-        if (map < solid_.maps.size() - solid_.turned.size()) return shown;
-        const std::uint32_t owner = owners_(x, y);
-        const bool fits = owner != nobody && atlas_.charts[owner] == atlas_.charts[shown];
-        return fits ? owner : shown;
-    }
-
-  private:
-    const SolidAtlas& solid_;
-    const Atlas& atlas_;
-    Image<std::uint32_t> owners_;  ///< owners; empty if each span has one triangle
-};
 
 /// Barycentric weights of p's projection onto triangle abc, clamped to the triangle, because texels
 /// of gutters and overscan lie beyond it. Equal weights for a triangle without area.
@@ -71,7 +28,7 @@ class BumpShade {
     BumpShade(const SolidAtlas& solid, const ShadingFrames& frames, const Bump& bump,
               const Affine3& texture_from_atlas)
         : solid_(solid),
-          owners_(solid, frames.atlas),
+          owners_(solid, frames.atlas, OwnerReach::lookups),
           frames_(frames),
           bump_(bump),
           map_(texture_from_atlas) {}
@@ -104,7 +61,7 @@ class BumpShade {
     }
 
     const SolidAtlas& solid_;
-    FrameOwners owners_;
+    TexelOwners owners_;
     const ShadingFrames& frames_;
     const Bump& bump_;
     const Affine3& map_;

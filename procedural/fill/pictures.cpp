@@ -135,7 +135,7 @@ template <class Store>
 class FootprintQueue {
   public:
     FootprintQueue(const GraphEvaluator& evaluate, std::size_t planes, const Filter& filter,
-                   const MaskImages& masks, Store store)
+                   const MaskReader& masks, Store store)
         : evaluate_(evaluate),
           masks_(masks),
           kind_(filter.kind),
@@ -150,7 +150,6 @@ class FootprintQueue {
 
     void add(const Piece& texel, const Footprint& steps) {
         pieces_.push_back(texel);
-        append_masks(masks_, texel.x, texel.y, 1, scratch_.masks);
         steps_.push_back(steps);
         if (pieces_.size() == batch) flush();
     }
@@ -167,7 +166,6 @@ class FootprintQueue {
         store_(from_, count, pieces_);
         pieces_.clear();
         steps_.clear();
-        clear_masks(scratch_.masks);
     }
 
   private:
@@ -177,6 +175,7 @@ class FootprintQueue {
         const bool samples = kind_ == FilterKind::supersample;
         points_.clear();
         sample_weights_.clear();
+        clear_masks(scratch_.masks);
         for (std::size_t j = 0; j < pieces_.size(); ++j) {
             const Piece& texel = pieces_[j];
             std::pair<float, float> offset{0.0f, 0.0f};
@@ -184,6 +183,7 @@ class FootprintQueue {
             const double u = double(offset.first), v = double(offset.second);
             points_.push_back(texel.solid.start + (texel.solid.first + u) * texel.solid.step +
                               v * texel.down);
+            masks_.append(texel.x, texel.y, u * texel.solid.step + v * texel.down, scratch_.masks);
             sample_weights_.push_back(samples ? gaussian_weight(u, v) : 1.0);
         }
         const bool footprints = !samples && kind_ != FilterKind::none;
@@ -198,7 +198,7 @@ class FootprintQueue {
     }
 
     const GraphEvaluator& evaluate_;
-    const MaskImages& masks_;
+    const MaskReader& masks_;
     FilterKind kind_;
     SamplePattern pattern_;
     Store store_;
@@ -216,9 +216,10 @@ template <class Store>
 void fill_footprints(const SolidAtlas& solid, const Affine3& map, const GraphEvaluator& evaluate,
                      std::size_t planes, const Filter& filter, int threads, const Economy& economy,
                      const MaskImages& masks, const Store& store) {
+    const MaskReader reader(masks, map);
     const auto fill_rows = [&](const RowRange& range) {
         const auto queue =
-            std::make_unique<FootprintQueue<Store>>(evaluate, planes, filter, masks, store);
+            std::make_unique<FootprintQueue<Store>>(evaluate, planes, filter, reader, store);
         for (std::size_t y = range.begin(); y != range.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];

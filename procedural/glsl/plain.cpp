@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace burl {
@@ -109,27 +111,24 @@ std::vector<Definition> definitions_of(std::string_view text) {
     return all;
 }
 
-/// Whether the definition is that of the name: the name stands before its body or value and is not
-/// the type of a parameter.
-bool defines(const Definition& definition, std::string_view name) {
+/// Calls visit(name) for the names that the definition is one of: a name stands before its body or
+/// value and is not the type of a parameter.
+template <class Visit>
+void for_defined(const Definition& definition, Visit visit) {
     const std::string_view code = definition.code;
-    if (code.starts_with("struct"))
-        return code.substr(7).starts_with(name) && !in_name(code[7 + name.size()]);
+    if (code.starts_with("struct")) {
+        const auto end = std::ranges::find_if_not(code.substr(7), in_name);
+        return visit(std::string_view(code.begin() + 7, end));
+    }
     const std::size_t body = code.find('{'), bracket = code.find('('), equals = code.find('=');
     const bool function = bracket < body && body != std::string_view::npos && bracket < equals;
-    bool found = false;
-    for_names(code, [&](std::string_view word, std::size_t begin, std::size_t end) {
-        if (word != name || begin > body) return;
-        if (function) {
-            found = found || end == bracket;
-            return;
-        }
+    for_names(code.substr(0, body), [&](std::string_view word, std::size_t, std::size_t end) {
         const std::size_t next = code.find_first_not_of(' ', end);
         const char after = next == std::string_view::npos ? '\n' : code[next];
-        found = found || after == '=' || after == ';' || after == ',' || after == '[' ||
-                code.starts_with("#define");
+        const bool variable = after == '=' || after == ';' || after == ',' || after == '[' ||
+                              code.starts_with("#define");
+        if (function ? end == bracket : variable) visit(word);
     });
-    return found;
 }
 
 }  // namespace
@@ -159,15 +158,21 @@ std::string glsl_in_float(std::string_view text) {
 
 std::string glsl_needed_by(const std::vector<std::string>& roots, std::string_view text) {
     std::vector<Definition> all = definitions_of(text);
-    std::vector<std::string> names = roots;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        for (Definition& definition : all) {
-            if (definition.needed || !defines(definition, names[i])) continue;
-            definition.needed = true;
-            for_names(definition.code, [&](std::string_view name, std::size_t, std::size_t) {
-                if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
+    std::multimap<std::string_view, Definition*> definitions;
+    for (Definition& definition : all)
+        for_defined(definition,
+                    [&](std::string_view name) { definitions.emplace(name, &definition); });
+    std::vector<std::string_view> names(roots.begin(), roots.end());
+    while (!names.empty()) {
+        const auto [first, last] = definitions.equal_range(names.back());
+        names.pop_back();
+        for (auto known = first; known != last; ++known) {
+            if (std::exchange(known->second->needed, true)) continue;
+            for_names(known->second->code, [&](std::string_view name, std::size_t, std::size_t) {
+                names.push_back(name);
             });
         }
+    }
     std::string kept;
     for (const Definition& definition : all)
         if (definition.needed) kept += (kept.empty() ? "" : "\n") + definition.text;

@@ -148,7 +148,7 @@ DualFunction dual_function(const PositiveTurn&, const DualSettings&) {
 
 DualFunction dual_function(const MaskRead& work, const DualSettings&) {
     return for_each_point(
-        [=](const DualCall& call, std::size_t i) { return Dual(call.mask(work.mask, i)); });
+        [=](const DualCall& call, std::size_t i) { return call.mask(work.mask, i); });
 }
 
 DualFunction dual_function(const SlopeAlong& work, const DualSettings&) {

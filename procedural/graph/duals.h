@@ -48,8 +48,8 @@ struct DualCall {
 
     std::size_t count() const { return footprints.size(); }
     Dual in(std::size_t k, std::size_t i) const { return inputs[k]->get(i); }
-    /// The value of a mask at point i.
-    double mask(std::size_t number, std::size_t i) const {
+    /// The value of a mask at point i, with its gradient.
+    Dual mask(std::size_t number, std::size_t i) const {
         if (!masks || number >= masks->size() || (*masks)[number].empty()) return 0.0;
         return (*masks)[number][first + i];
     }

@@ -64,6 +64,13 @@ std::string first_mask_node(const TextureGraph& graph, GraphOutput output) {
     return "";
 }
 
+bool has_slopes(const TextureGraph& graph, GraphOutput output) {
+    const std::vector<bool> nodes = nodes_read(graph, output);
+    for (std::size_t n = 1; n < graph.nodes.size(); ++n)
+        if (nodes[n] && type_of(graph.nodes[n]).name == "slope") return true;
+    return false;
+}
+
 std::string no_texels_for(const std::string& node) {
     if (node.empty()) return "";
     return fmt::format(

@@ -8,6 +8,7 @@
 
 #include "procedural/graph/planes.h"
 #include "procedural/graph/table.h"
+#include "procedural/numbers/dual.h"
 
 namespace burl {
 
@@ -35,9 +36,13 @@ std::string first_mask_node(const TextureGraph& graph, GraphOutput output);
 /// texels; empty where `node` is.
 std::string no_texels_for(const std::string& node);
 
-/// The values of a graph's masks at points, by the masks' numbers: one for each point. Masks that
-/// are left out, or have no values, are 0.
-using MaskValues = std::vector<std::vector<double>>;
+/// Whether the graph's output depends on a node `slope`, which needs the gradients of what it
+/// reads.
+bool has_slopes(const TextureGraph& graph, GraphOutput output);
+
+/// The values of a graph's masks at points with their gradients with respect to the solid point, by
+/// the masks' numbers: one for each point. Masks that are left out, or have no values, are 0.
+using MaskValues = std::vector<std::vector<Dual>>;
 
 /// The largest absolute texture coordinate that `mesh_uv` gives.
 inline constexpr double farthest_uv = 65536.0;

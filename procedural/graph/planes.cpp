@@ -30,7 +30,7 @@ bool is_opaque(const TextureGraph& graph, std::uint32_t node) {
     if (type.name == "vertex_color") return NodeParameters(self).parameter("alpha") == 0.0;
     if (type.name == "lighting") return true;
     // A layer over an opaque base is opaque together with it.
-    if (type.name == "layer_over") return is_opaque(graph, self.inputs[1]);
+    if (type.name == "layer_over" || type.name == "blend") return is_opaque(graph, self.inputs[1]);
     if (type.name == "image") return !graph.images[self.image].pixels->alpha();
     if (type.name == "color_map") return is_opaque(graph.textures[self.texture].colors);
     return std::ranges::all_of(self.inputs,

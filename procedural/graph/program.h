@@ -142,8 +142,8 @@ struct ImageColors {
     double anisotropy = 8.0;  ///< largest ratio of an ellipse's axes
 };
 
-/// The value of a mask of the graph (masks.h) at the texel that is being filled; its gradient
-/// counts as 0.
+/// The value of a mask of the graph (masks.h) at the texel that is being filled, with the gradient
+/// that comes with it.
 struct MaskRead {
     std::size_t mask = 0;
     bool operator==(const MaskRead&) const = default;

@@ -18,6 +18,7 @@ struct StepArrays {
     std::array<double*, 3> outputs{};
     std::size_t count = 0;
     std::span<const ValueProgram::Scratch::Array> masks{};
+    std::span<const std::array<ValueProgram::Scratch::Array, 3>> mask_slopes{};
 };
 
 void run_work(const ValueOperation& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
@@ -125,9 +126,14 @@ void run_work(const MaskRead& work, const StepArrays& arrays, GraphEvaluator::Sc
 }
 
 void run_work(const GraphSlope& work, const StepArrays& arrays, GraphEvaluator::Scratch& scratch) {
-    scratch.masks.resize(arrays.masks.size());
-    for (std::size_t m = 0; m < arrays.masks.size(); ++m)
-        scratch.masks[m].assign(arrays.masks[m].values, arrays.masks[m].values + arrays.count);
+    scratch.masks.resize(arrays.mask_slopes.size());
+    for (std::size_t m = 0; m < arrays.mask_slopes.size(); ++m) {
+        const auto& [x, y, z] = arrays.mask_slopes[m];
+        scratch.masks[m].resize(arrays.count);
+        for (std::size_t j = 0; j < arrays.count; ++j)
+            scratch.masks[m][j] = {arrays.masks[m].values[j],
+                                   {x.values[j], y.values[j], z.values[j]}};
+    }
     std::array<Vec3d, value_batch> points;
     std::array<GraphSample, value_batch> samples;
     for (std::size_t j = 0; j < arrays.count; ++j)
@@ -150,6 +156,7 @@ void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& s
     StepArrays arrays;
     arrays.count = count;
     arrays.masks = scratch.masks;
+    arrays.mask_slopes = scratch.mask_slopes;
     for (std::size_t k = 0; k < step.inputs.size(); ++k) arrays.inputs[k] = scratch[step.inputs[k]];
     for (std::size_t k = 0; k < step.outputs.size(); ++k)
         arrays.outputs[k] = scratch[step.outputs[k]];
@@ -228,6 +235,13 @@ std::size_t ValueProgram::masks() const {
     return count;
 }
 
+bool ValueProgram::reads_mask_slopes() const {
+    return std::ranges::any_of(steps_, [](const ValueStep& step) {
+        const auto* slope = std::get_if<GraphSlope>(&step.work);
+        return slope && !graph_masks(slope->graph->graph()).empty();
+    });
+}
+
 std::size_t ValueProgram::octaves() const {
     std::size_t count = 0;
     for (std::size_t i = fixed_steps_; i < steps_.size(); ++i) count += octaves_of(steps_[i]);
@@ -247,6 +261,7 @@ ValueProgram::Scratch ValueProgram::make_scratch() const {
     Scratch scratch;
     scratch.arrays.resize(registers_);
     scratch.masks.resize(masks());
+    if (reads_mask_slopes()) scratch.mask_slopes.resize(scratch.masks.size());
     scratch.graphs.resize(steps_.size());
     for (std::size_t i = 0; i < steps_.size(); ++i)
         if (const auto* slope = std::get_if<GraphSlope>(&steps_[i].work))

@@ -60,6 +60,8 @@ class ValueProgram {
         std::vector<Array> arrays;
         /// Values of the graph's masks (masks.h) at the batch's points, by number; 0 at first.
         std::vector<Array> masks;
+        /// The masks' gradients with respect to the solid point; empty where no step reads them.
+        std::vector<std::array<Array, 3>> mask_slopes;
         std::vector<GraphEvaluator::Scratch> graphs;
         SynthesisWork work;  ///< octaves of all runs with these arrays
         double* operator[](Register r) { return arrays[r].values; }
@@ -87,6 +89,8 @@ class ValueProgram {
 
     /// The number of the last mask that a step reads, plus 1.
     std::size_t masks() const;
+    /// Whether a step reads gradients of masks.
+    bool reads_mask_slopes() const;
     const std::vector<ValueStep>& steps() const { return steps_; }
     /// The octaves of noise that a point takes.
     std::size_t octaves() const;

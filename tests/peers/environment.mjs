@@ -1,7 +1,7 @@
 // Writes an environment to light a comparison with, as Radiance .hdr:
-//   node environment.mjs OUT.hdr
-// A sky from the horizon to the zenith, a darker ground, a warm and a cool soft box: light whose parts no program's
-// filter loses, since nothing of it is smaller than five degrees.
+//   node environment.mjs OUT.hdr boxes|sun
+// boxes: a sky from the horizon to the zenith, a darker ground, a warm and a cool soft box: light whose parts no program's
+// filter loses, since nothing of it is smaller than five degrees. sun: one sun, five degrees wide, in a constant sky.
 import {writeFileSync} from 'node:fs';
 
 const width = 256, height = 128;
@@ -15,14 +15,20 @@ function soft(direction, azimuth, elevation, inner, outer) {
     return 1 - t * t * (3 - 2 * t);
 }
 
-// Linear light of a direction, y up.
-function radiance(direction) {
+function sun(direction) {
+    const disc = soft(direction, 60, 45, 0.03, 0.06);
+    return [0.5 + 200 * disc, 0.5 + 190 * disc, 0.5 + 175 * disc];
+}
+
+function boxes(direction) {
     const up = direction[1];
     const sky = up > 0 ? [0.55 - 0.3 * up, 0.65 - 0.25 * up, 0.8 - 0.1 * up] : [0.25 + 0.1 * up, 0.22 + 0.1 * up, 0.2 + 0.1 * up];
     const warm = soft(direction, 70, 40, 0.25, 0.45), cool = soft(direction, 200, 20, 0.15, 0.4);
     return [sky[0] + 6 * warm + 1.2 * cool, sky[1] + 5 * warm + 1.6 * cool, sky[2] + 3.8 * warm + 2.2 * cool];
 }
 
+// Linear light of a direction, y up.
+const radiance = {boxes, sun}[process.argv[3]];
 const pixels = Buffer.alloc(width * height * 4);
 for (let y = 0; y < height; ++y) {
     for (let x = 0; x < width; ++x) {

@@ -27,7 +27,8 @@ namespace {
 void write_shader(const ExportRequest& request) {
     const Mesh mesh = load_mesh(request.mesh);
     check_lattice(request.recipe, mesh);
-    write_file(request.out, emit_glsl(request.recipe, texture_from_mesh(request.recipe, mesh)));
+    const Affine3 solid = solid_from_mesh(mesh, request.recipe.solid.space);
+    write_file(request.out, emit_glsl(request.recipe, solid).text);
 }
 
 constexpr int export_depth = 8;

@@ -1,9 +1,13 @@
 #pragma once
-// The texture that the editor's window shows: that of the edited recipe, or while comparing that of
-// the recipe as it was opened.
+// The texture that the editor's window shows: that of the edited recipe, of a state to compare it
+// with, or of one node alone.
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
 
+#include "app/edit/look.h"
 #include "app/editor/jobs/baker.h"
 #include "app/editor/session/session.h"
 
@@ -15,9 +19,19 @@ class TextureRequests {
   public:
     TextureRequests(EditSession& session, EditBaker& baker) : session_(session), baker_(baker) {}
 
-    /// Begins to show the recipe as it was opened, or ends that; an edit ends it, too.
+    /// Shows the next of the states to compare with, or after the last one the recipe itself: the
+    /// kept states A and B or, where none is kept, the recipe as it was opened. An edit shows the
+    /// recipe, too.
     void compare();
-    bool comparing() const { return comparing_; }
+    bool comparing() const { return compared_with_.has_value(); }
+    /// Shows what the node at a place gives, on the whole object, through all edits until the place
+    /// has none; an empty place ends that.
+    void look(std::string place);
+    const std::string& looking_at() const { return looked_at_; }
+    /// The numbers that are black and white in that; empty where they are 0 and 1, or colours.
+    std::optional<std::array<double, 2>> look_range() const;
+    /// What is on screen instead of the recipe, such as "as it was opened"; empty: the recipe.
+    std::string shown_words() const;
     /// The recipe on screen, without animation.
     Recipe recipe();
 
@@ -32,10 +46,15 @@ class TextureRequests {
     const Recipe& last_recipe() const { return requested_->recipe; }
 
   private:
+    const Recipe& looked();
+
     EditSession& session_;
     EditBaker& baker_;
-    bool comparing_ = false;
-    Recipe compared_;  ///< the session's recipe when comparing began; another recipe ends it
+    /// What is compared with: 0 and 1 are the kept states, 2 is what was opened.
+    std::optional<std::size_t> compared_with_;
+    Recipe compared_;        ///< the session's recipe when comparing began; another one ends it
+    std::string looked_at_;  ///< place of a node; empty: none
+    std::optional<std::pair<Recipe, NodeLook>> look_;  ///< a recipe, and its look at the place
     std::optional<WorkerRequest> requested_;
     std::uint64_t last_ = 0;
 };

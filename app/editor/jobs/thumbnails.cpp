@@ -47,12 +47,13 @@ std::vector<Image<Rgb8>> picture_levels(Image<Rgb8> picture) {
     return levels;
 }
 
-Image<Rgb8> ball_picture(const Recipe& recipe, int side) {
+Image<Rgb8> ball_picture(const Recipe& recipe, int side, const std::string& filter) {
     DirectOptions options;
     options.scene = "sample:icosphere";
     options.view = fmt::format("50,25,{}", filling_distance());
     options.size = fmt::format("{}x{}", side, side);
-    if (recipe.precision.kind != PrecisionKind::fixed) options.filter = "trapezoid";
+    options.rays = 0;
+    if (recipe.precision.kind != PrecisionKind::fixed) options.filter = filter;
     return DirectPicture(options)({recipe, {}});
 }
 

@@ -199,14 +199,19 @@ class MapEditor {
 
 }  // namespace
 
+void color_map_editor(const PanelContext& context, const std::string& path,
+                      StopSelection& selection) {
+    MapEditor(context, path, selection).show();
+}
+
 void color_maps_panel(const PanelContext& context, StopSelection& selection) {
     const Json recipe = slider_json(context.session.still());
     const std::vector<std::string> paths = color_map_paths(recipe);
     if (paths.empty()) ImGui::TextWrapped("This recipe has no colour map.");
-    const std::vector<ParameterGroup> groups = parameter_groups(recipe_leaves(recipe));
+    const NodeWords words = node_words(recipe);
     for (const std::string& path : paths) {
         ImGui::PushFont(heading_font());
-        ImGui::TextUnformatted(group_title(groups, path).c_str());
+        ImGui::TextUnformatted(map_title(words, path).c_str());
         ImGui::PopFont();
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
         context.items.note(path + ".title");

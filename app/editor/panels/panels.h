@@ -42,6 +42,14 @@ struct StopSelection {
 /// selected stop can be recoloured and removed; a check box sets the wrap mode.
 void color_maps_panel(const PanelContext& context, StopSelection& selection);
 
+/// Draws the one colour map at a path so.
+void color_map_editor(const PanelContext& context, const std::string& path,
+                      StopSelection& selection);
+
+/// Draws the list of steps, the present one marked; a click goes to one. Above it are the two
+/// states that can be kept to compare with.
+void steps_panel(const PanelContext& context);
+
 /// The content of the metrics panel: figures of the atlas, times and work of the pipeline's stages,
 /// and facts about the machine and the renderer.
 struct MetricsView {

@@ -6,8 +6,6 @@
 #include <imgui.h>
 #include <nlohmann/json.hpp>
 
-#include "app/editor/panels/leaf_widget.h"
-#include "app/editor/panels/panels.h"
 #include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
 
@@ -90,17 +88,26 @@ struct Shown {
     }
 };
 
-}  // namespace
-
-void parameters_panel(const PanelContext& context, bool posed) {
+/// Finds out what the recipe was opened with for the only gesture that asks for it.
+Shown shown_in(const PanelContext& context) {
     Shown shown{context};
-    // The only gesture that asks for it.
     if (ImGui::IsMouseDoubleClicked(0))
         shown.opened = recipe_leaves(slider_json(context.session.history().opened()));
+    return shown;
+}
+
+}  // namespace
+
+void parameter_rows(const PanelContext& context, const std::vector<RecipeLeaf>& leaves) {
+    shown_in(context).show(leaves);
+}
+
+void parameters_panel(const PanelContext& context, bool posed) {
+    const Shown shown = shown_in(context);
     // A material's controls are the knobs; what they set is there for those who want it.
     const bool knobs = !context.session.recipe().controls.empty();
-    for (const ParameterGroup& group :
-         parameter_groups(recipe_leaves(slider_json(context.session.still()))))
+    const Json recipe = slider_json(context.session.still());
+    for (const ParameterGroup& group : parameter_groups(recipe_leaves(recipe), node_words(recipe)))
         if (posed || group.name != "pose")
             shown.group(group, !knobs || group.name == "pose" || group.name == "solid");
 }

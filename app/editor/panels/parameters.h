@@ -2,9 +2,15 @@
 // The panel of parameters (parameters_panel of panels.h): a widget for each parameter of the table.
 #include <cstdint>
 
+#include <vector>
+
 #include "app/editor/panels/leaf_widget.h"
+#include "app/editor/panels/panels.h"
 
 namespace burl {
+
+/// Draws a widget for each of these parameters; a change is one of the session.
+void parameter_rows(const PanelContext& context, const std::vector<RecipeLeaf>& leaves);
 
 /// Returns the random seed that a button puts in place of `seed`, the same in every run, so that
 /// scripts repeat: the next one of a linear congruential generator with the full period 2^16.

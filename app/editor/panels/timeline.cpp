@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -78,7 +79,9 @@ class TimelinePanel {
           items_(context.items),
           timeline_(session_.timeline),
           animation_(session_.recipe().animation),
-          groups_(parameter_groups(recipe_leaves(slider_json(session_.still())))) {}
+          recipe_(slider_json(session_.still())),
+          words_(node_words(recipe_)),
+          groups_(parameter_groups(recipe_leaves(recipe_), words_)) {}
 
     void show() {
         clock();
@@ -101,7 +104,7 @@ class TimelinePanel {
         return animation_.seconds * double((x - lane_low_) / lane_width_);
     }
 
-    std::string label(const std::string& path) const { return number_label(groups_, path); }
+    std::string label(const std::string& path) const { return number_label(groups_, words_, path); }
 
     void clock() {
         const std::vector<float> widths = clock_widths();
@@ -319,8 +322,10 @@ class TimelinePanel {
     EditSession& session_;
     EditItems& items_;
     EditTimeline& timeline_;
-    const KeyedAnimation animation_;            ///< animation at the start of the frame
-    const std::vector<ParameterGroup> groups_;  ///< parameter groups, for labels
+    const KeyedAnimation animation_;  ///< animation at the start of the frame
+    const Json recipe_;
+    const NodeWords words_;  ///< names of nodes, for labels
+    const std::vector<ParameterGroup> groups_;
     const float scale_ = float(interface_scale());
     const float diamond_ = diamond_size * scale_;
     float lane_low_ = 0.0f, lane_width_ = 1.0f;

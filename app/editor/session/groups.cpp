@@ -117,34 +117,27 @@ std::string_view owner_of(const RecipeLeaf& leaf) {
     return std::string_view(leaf.path).substr(0, at > 0 ? at - 1 : 0);
 }
 
-/// Returns the heading of "mix > warp > wood_grain": "Wood grain in warp", or "Wood grain: b of
-/// warp" where the node is input b of warp.
-std::string title_of(std::string_view name, std::string_view owner) {
+/// Returns the heading of a group of leaves that `owner` has: a node's or term's words, or the
+/// section's name.
+std::string title_of(std::string_view name, const std::string& owner, const NodeWords& words) {
     constexpr std::string_view arrow = " > ";
-    const auto tail = [&](std::string_view& rest) {
-        const std::size_t at = rest.rfind(arrow);
-        const std::string_view last =
-            at == std::string_view::npos ? rest : rest.substr(at + arrow.size());
-        rest = at == std::string_view::npos ? std::string_view() : rest.substr(0, at);
-        return last;
-    };
-    const std::string_view last = tail(name), above = tail(name);
+    const std::size_t at = name.rfind(arrow);
+    const std::string_view last =
+        at == std::string_view::npos ? name : name.substr(at + arrow.size());
+    const auto node = words.find(owner);
+    // The terms of the one field of a plain texture need no place.
+    if (node != words.end() && !name.starts_with("noise ")) return capitalised(node->second);
     const std::string_view known = in_words(titles, last);
     const std::string title = capitalised(std::string(known.empty() ? last : known));
-    if (above.empty()) return title;
-    std::string place(above);
-    std::ranges::replace(place, '_', ' ');
-    const std::string_view key = owner.substr(owner.rfind('.') + 1);
-    const bool plain =
-        key.empty() || key == "input" || key == last || (key[0] >= '0' && key[0] <= '9');
-    return plain ? fmt::format("{} in {}", title, place)
-                 : fmt::format("{}: {} of {}", title, key, place);
+    const auto field = words.find(owner.substr(0, std::min(owner.rfind('.'), owner.size())));
+    if (at == std::string_view::npos || field == words.end()) return title;
+    return fmt::format("{} of {}", title, field->second);
 }
 
-ParameterGroup make_group(std::span<const RecipeLeaf> leaves) {
+ParameterGroup make_group(std::span<const RecipeLeaf> leaves, const NodeWords& words) {
     ParameterGroup group;
     group.name = leaves.front().group;
-    group.title = title_of(group.name, owner_of(leaves.front()));
+    group.title = title_of(group.name, std::string(owner_of(leaves.front())), words);
     group.open = begins_open(group.name);
     const auto kind = std::ranges::find(leaves, "kind", &RecipeLeaf::label);
     const std::string noise =
@@ -182,8 +175,7 @@ std::optional<std::string> item_of(const RecipeLeaf& leaf, std::string_view path
 
 /// Returns the name of a colour stop's position, such as "texture.stops.1.0"; empty for any other
 /// path.
-std::optional<std::string> stop_label(const std::vector<ParameterGroup>& groups,
-                                      const std::string& path) {
+std::optional<std::string> stop_label(const NodeWords& words, const std::string& path) {
     constexpr std::string_view stops = ".stops.", place = ".0";
     const std::size_t at = path.find(stops);
     if (at == std::string::npos || !path.ends_with(place)) return {};
@@ -192,18 +184,19 @@ std::optional<std::string> stop_label(const std::vector<ParameterGroup>& groups,
     const auto index =
         index_of(std::string_view(path).substr(from, path.size() - place.size() - from));
     if (!index) return {};
-    return fmt::format("{}: stop {}, place", group_title(groups, path.substr(0, at)), *index + 1);
+    return fmt::format("{}: stop {}, place", map_title(words, path.substr(0, at)), *index + 1);
 }
 
 }  // namespace
 
-std::vector<ParameterGroup> parameter_groups(const std::vector<RecipeLeaf>& leaves) {
+std::vector<ParameterGroup> parameter_groups(const std::vector<RecipeLeaf>& leaves,
+                                             const NodeWords& words) {
     std::vector<ParameterGroup> groups;
     for (auto first = leaves.begin(); first != leaves.end();) {
         const auto last = std::find_if(first, leaves.end(), [&](const RecipeLeaf& leaf) {
             return leaf.group != first->group || owner_of(leaf) != owner_of(*first);
         });
-        groups.push_back(make_group({first, last}));
+        groups.push_back(make_group({first, last}, words));
         first = last;
     }
     std::ranges::stable_sort(groups, {},
@@ -211,19 +204,14 @@ std::vector<ParameterGroup> parameter_groups(const std::vector<RecipeLeaf>& leav
     return groups;
 }
 
-std::string group_title(const std::vector<ParameterGroup>& groups, const std::string& path) {
-    const auto of_path = [&](const RecipeLeaf& leaf) { return owner_of(leaf) == path; };
-    for (const ParameterGroup& group : groups)
-        if (std::ranges::any_of(group.first, of_path) || std::ranges::any_of(group.more, of_path))
-            return group.title;
-    constexpr std::string_view root = "texture.";
-    std::string place = path.starts_with(root) ? path.substr(root.size()) : path;
-    std::ranges::replace(place, '.', ' ');
-    return path == "texture" ? "Colours" : fmt::format("Colours: {}", place);
+std::string map_title(const NodeWords& words, const std::string& path) {
+    const auto map = words.find(path);
+    return path == "texture" || map == words.end() ? "Colours" : capitalised(map->second);
 }
 
-std::string number_label(const std::vector<ParameterGroup>& groups, const std::string& path) {
-    if (const auto label = stop_label(groups, path)) return *label;
+std::string number_label(const std::vector<ParameterGroup>& groups, const NodeWords& words,
+                         const std::string& path) {
+    if (const auto label = stop_label(words, path)) return *label;
     for (const ParameterGroup& group : groups)
         for (const std::vector<RecipeLeaf>* leaves : {&group.first, &group.more})
             for (const RecipeLeaf& leaf : *leaves)

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/edit/node_words.h"
 #include "app/recipe/edit/leaves.h"
 
 namespace burl {
@@ -18,16 +19,18 @@ struct ParameterGroup {
 };
 
 /// Groups all leaves; each occurs once. Leaves of the same node or section must be adjacent.
-/// Parameters of another kind of noise than the group's are among `more`.
-std::vector<ParameterGroup> parameter_groups(const std::vector<RecipeLeaf>& leaves);
+/// Parameters of another kind of noise than the group's are among `more`. Nodes and noise terms are
+/// called by `words`.
+std::vector<ParameterGroup> parameter_groups(const std::vector<RecipeLeaf>& leaves,
+                                             const NodeWords& words);
 
-/// The heading of the node at `path`; for a colour map without sliders, "Colours" and its place in
-/// the texture, such as "Colours: input".
-std::string group_title(const std::vector<ParameterGroup>& groups, const std::string& path);
+/// The heading of the colour map at `path`: "Colours" for the texture itself, otherwise its words.
+std::string map_title(const NodeWords& words, const std::string& path);
 
 /// The name of a number of a parameter, such as "Noise 1: frequency y" or "Colours: stop 2, place";
 /// the path itself for a number without a slider.
-std::string number_label(const std::vector<ParameterGroup>& groups, const std::string& path);
+std::string number_label(const std::vector<ParameterGroup>& groups, const NodeWords& words,
+                         const std::string& path);
 
 /// The name of a parameter with this key; for keys without a name of their own, the key with spaces
 /// for underscores.

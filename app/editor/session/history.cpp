@@ -2,7 +2,10 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/base/real_path.h"
+#include "app/editor/session/step_words.h"
 
 namespace burl {
 
@@ -13,6 +16,11 @@ std::string spelling_of(const std::string& path) {
     return path.ends_with(".json") ? real_path(path) : path;
 }
 
+/// What the opening of a file or preset is called in a list of steps.
+std::string opening_words(const std::string& path) {
+    return path.empty() ? "new recipe" : fmt::format("open {}", path.substr(path.rfind('/') + 1));
+}
+
 }  // namespace
 
 EditHistory::EditHistory(Recipe recipe, const std::string& path)
@@ -21,7 +29,8 @@ EditHistory::EditHistory(Recipe recipe, const std::string& path)
     steps_.push_back(
         {opened,
          std::make_shared<Document>(Document{++documents_, path, path, spelling_of(path), opened}),
-         {}});
+         {},
+         opening_words(path)});
     saved_[document().file] = now_;
 }
 
@@ -40,9 +49,11 @@ void EditHistory::add_step(Step step) {
 
 void EditHistory::end_gesture() {
     in_gesture_ = false;
+    std::string words = std::exchange(words_, {});
     if (now_ == step_) return;
+    if (words.empty()) words = step_words(step_, now_);
     const Step& before = steps_[at_];
-    add_step({KeptRecipe(now_, before.recipe), before.document, before.left});
+    add_step({KeptRecipe(now_, before.recipe), before.document, before.left, std::move(words)});
 }
 
 void EditHistory::go_to(std::size_t step) {
@@ -60,8 +71,9 @@ void EditHistory::look_back() {
     }
 }
 
-void EditHistory::change(Recipe recipe) {
+void EditHistory::change(Recipe recipe, std::string words) {
     now_ = std::move(recipe);
+    words_ = std::move(words);
     ++revision_;
     if (!in_gesture_) end_gesture();
 }
@@ -80,7 +92,7 @@ void EditHistory::add_document(Recipe recipe, const std::string& path) {
     add_step(
         {opened,
          std::make_shared<Document>(Document{++documents_, path, path, spelling_of(path), opened}),
-         left});
+         left, opening_words(path)});
 }
 
 void EditHistory::open(Recipe recipe, const std::string& path) {
@@ -106,6 +118,11 @@ void EditHistory::undo() {
 void EditHistory::redo() {
     end_gesture();
     if (at_ + 1 < steps_.size()) go_to(at_ + 1);
+}
+
+void EditHistory::return_to(std::size_t step) {
+    end_gesture();
+    if (step < steps_.size() && step != at_) go_to(step);
 }
 
 std::vector<EditHistory::Unsaved> EditHistory::all_unsaved() const {

@@ -38,8 +38,9 @@ class EditHistory {
     /// Ends the gesture; adds no step where the recipe is what it was at the beginning.
     void end_gesture();
     /// Replaces the recipe: within a gesture the last change becomes the step, outside of one the
-    /// change is a step. Undone steps are dropped.
-    void change(Recipe recipe);
+    /// change is a step. Undone steps are dropped. `words` say what was done; empty: what differs
+    /// says it (step_words.h).
+    void change(Recipe recipe, std::string words = {});
     bool in_gesture() const { return in_gesture_; }
     /// Opens a file's or preset's recipe as one step, unless the same recipe of the same file is
     /// open.
@@ -53,6 +54,14 @@ class EditHistory {
     void undo();
     /// Ends an open gesture and redoes the step undone last; after new changes there is none.
     void redo();
+
+    /// The number of steps, the first of which is what the history began with, and the present one.
+    std::size_t step_count() const { return steps_.size(); }
+    std::size_t step() const { return at_; }
+    /// What was done in a step, in a few words.
+    const std::string& words(std::size_t step) const { return steps_[step].words; }
+    /// Ends an open gesture and goes to a step; nothing is dropped.
+    void return_to(std::size_t step);
 
     /// Whether the recipe differs from its file or preset.
     bool changed() const { return !is_saved(now_, document()); }
@@ -90,6 +99,7 @@ class EditHistory {
         std::shared_ptr<Document> document;
         /// Step with unsaved changes that the opening of this step's document replaced.
         std::optional<std::size_t> left;
+        std::string words{};
     };
     /// A replaced step with unsaved changes.
     struct Left {
@@ -117,6 +127,7 @@ class EditHistory {
     /// Replaced steps before steps_[at_], newest first, for all_unsaved().
     std::vector<Left> left_;
     bool in_gesture_ = false;
+    std::string words_;  ///< what the changes of an open gesture did; empty: see what differs
 };
 
 }  // namespace burl

@@ -46,7 +46,9 @@ Json step_json(const ScriptStep& step) {
     } else {
         json[key] = step.text;
     }
-    if (step.kind == Kind::drag || step.kind == Kind::wheel)
+    if (step.kind == Kind::drag && !step.to.empty())
+        json["to"] = step.to;
+    else if (step.kind == Kind::drag || step.kind == Kind::wheel)
         json["by"] = Json::array({step.by.x, step.by.y});
     if (step.kind == Kind::drag) json["frames"] = step.frames;
     if (step.kind == Kind::click && !step.text.empty()) json["button"] = step.text;
@@ -79,7 +81,9 @@ ScriptStep step_of(Kind kind, const Json& json, const std::string& place) {
         step.text = input_text(json["button"], place, "button");
     if (kind == Kind::resize) step.by = size_from(value, key, place);
     if (kind == Kind::wait) step.frames = frames_from(value, key, place);
-    if (kind == Kind::drag || kind == Kind::wheel) {
+    if (kind == Kind::drag && json.contains("to")) {
+        step.to = input_text(json["to"], place, "to");
+    } else if (kind == Kind::drag || kind == Kind::wheel) {
         if (!json.contains("by")) refuse_input(place, "by", "given: two numbers");
         step.by = input_pair(json["by"], place, "by");
     }
@@ -128,10 +132,9 @@ std::vector<Frame> click_frames(const glm::dvec2& at, int number, int times) {
     return frames;
 }
 
-std::vector<Frame> drag_frames(const glm::dvec2& from, const ScriptStep& step) {
+std::vector<Frame> drag_frames(const glm::dvec2& from, const glm::dvec2& by, int count) {
     std::vector<Frame> frames{{{move_to(from)}}, {{button(0, true)}}};
-    for (int i = 1; i <= step.frames; ++i)
-        frames.push_back({{move_to(from + step.by * (double(i) / step.frames))}});
+    for (int i = 1; i <= count; ++i) frames.push_back({{move_to(from + by * (double(i) / count))}});
     frames.push_back({{button(0, false)}});
     return frames;
 }
@@ -191,6 +194,13 @@ glm::dvec2 ScriptPlayer::middle_of(const std::string& item, const FindItem& find
     return rect->middle();
 }
 
+std::vector<Frame> ScriptPlayer::frames_of_drag(const ScriptStep& step,
+                                                const FindItem& find) const {
+    const glm::dvec2 from = middle_of(step.item, find);
+    const glm::dvec2 by = step.to.empty() ? step.by : middle_of(step.to, find) - from;
+    return drag_frames(from, by, step.frames);
+}
+
 std::vector<Frame> ScriptPlayer::frames_of(const ScriptStep& step, const FindItem& find) const {
     switch (step.kind) {
         case Kind::events:
@@ -202,7 +212,7 @@ std::vector<Frame> ScriptPlayer::frames_of(const ScriptStep& step, const FindIte
         case Kind::double_click:
             return click_frames(middle_of(step.item, find), 0, 2);
         case Kind::drag:
-            return drag_frames(middle_of(step.item, find), step);
+            return frames_of_drag(step, find);
         case Kind::wheel:
             return {{{move_to(middle_of(step.item, find))}}, {{{InputKind::wheel, step.by}}}};
         case Kind::key:

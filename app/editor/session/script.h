@@ -23,18 +23,18 @@ struct ScriptStep {
         events,        ///< plays one frame with `events`
         click,         ///< clicks `item`; `text` "right" or "middle" names another button
         double_click,  ///< double-clicks `item`
-        drag,          ///< drags `item` by `by` pixels within `frames` frames
-        wheel,         ///< turns the wheel over `item` by `by` notches
-        key,           ///< presses and releases the keys of `text`, such as "Ctrl+Z"
-        type,          ///< types `text`, then waits a frame
-        drop,          ///< drops `files` on the window
-        resize,        ///< resizes the window to `by`
-        wait,          ///< plays `frames` frames without events
-        settle,        ///< plays frames until no background work is left
-        screenshot     ///< writes the frame as NAME.png, NAME being `text`
+        drag,       ///< drags `item` by `by` pixels, or onto the item `to`, within `frames` frames
+        wheel,      ///< turns the wheel over `item` by `by` notches
+        key,        ///< presses and releases the keys of `text`, such as "Ctrl+Z"
+        type,       ///< types `text`, then waits a frame
+        drop,       ///< drops `files` on the window
+        resize,     ///< resizes the window to `by`
+        wait,       ///< plays `frames` frames without events
+        settle,     ///< plays frames until no background work is left
+        screenshot  ///< writes the frame as NAME.png, NAME being `text`
     };
     Kind kind = Kind::wait;
-    std::string item{}, text{};
+    std::string item{}, to{}, text{};
     glm::dvec2 by{0.0};
     int frames = 1;
     std::vector<InputEvent> events{};
@@ -78,6 +78,7 @@ class ScriptPlayer {
 
   private:
     std::vector<Frame> frames_of(const ScriptStep& step, const FindItem& find) const;
+    std::vector<Frame> frames_of_drag(const ScriptStep& step, const FindItem& find) const;
     glm::dvec2 middle_of(const std::string& item, const FindItem& find) const;
 
     InputScript script_;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/atomic_file.h"
+#include "app/edit/steps.h"
 #include "app/options/idle_options.h"
 #include "app/recipe/edit/images.h"
 #include "app/recipe/edit/key_check.h"
@@ -147,6 +148,25 @@ bool EditSession::change_keys(KeyedAnimation animation) {
     Recipe changed = recipe();
     changed.animation = std::move(animation);
     return step([&] { return std::move(changed); });
+}
+
+std::optional<std::string> EditSession::build(const std::function<GraphEdit(const Recipe&)>& edit) {
+    history_.end_gesture();
+    try {
+        GraphEdit done = edit(recipe());
+        for (const std::string& sentence : done.lost) tell(sentence);
+        history_.change(std::move(done.recipe), std::move(done.words));
+        return std::move(done.path);
+    } catch (const Error& error) {
+        complain(error.what());
+        return {};
+    }
+}
+
+void EditSession::open_new() {
+    history_.open_unsaved(new_recipe(recipe()));
+    time_ = 0.0;
+    tell("new recipe");
 }
 
 const Recipe& EditSession::still() {

@@ -1,6 +1,7 @@
 #pragma once
 // The state of an editor besides its textures: the recipe with its undo stack, the animation clock
 // and the log. Independent of windows and OpenGL.
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "app/base/json_text.h"
+#include "app/edit/graph_edit.h"
 #include "app/editor/session/history.h"
 
 namespace burl {
@@ -51,6 +53,8 @@ class EditSession {
     const std::string& recipe_path() const { return history_.path(); }
 
     EditTimeline timeline{};
+    /// The states A and B, kept to compare with; empty: none.
+    std::array<std::optional<Recipe>, 2> kept{};
     /// Whether a slider, a drag or the clock is changing the recipe.
     bool moving() const { return history_.in_gesture() || timeline.moving(); }
     /// The time on the animation clock in seconds; setting it is no edit.
@@ -73,6 +77,11 @@ class EditSession {
     /// `edit`, which throws Error where there is none; the error is logged and false returned.
     bool change_keys(KeyedAnimation animation);
     bool change_with(const std::function<Recipe()>& edit) { return step(edit); }
+    /// Takes a step of building (app/edit); logs what was lost with it, or why it is refused, and
+    /// returns the place of its node, empty where there is none.
+    std::optional<std::string> build(const std::function<GraphEdit(const Recipe&)>& edit);
+    /// Opens a recipe with nothing built yet, of no file, for the same atlas, as one step.
+    void open_new();
     /// The path of the number edited last, which the next key animates; empty: none, or the recipe
     /// no longer has it.
     const std::string& touched();

@@ -30,7 +30,9 @@ void EditorProgram::shortcuts() {
     if (pressed("F1")) keys_open_ = !keys_open_;
     if (ImGui::GetIO().WantTextInput) return;
     if (pressed("F12")) screenshot_due_ = true;
-    if (commands_.asks()) return;
+    if (commands_.asks() || graph_.searching()) return;
+    if (!requests_.looking_at().empty() && pressed("Escape")) return requests_.look("");
+    if (graph_.shortcuts({session_, items_}, graph_hooks())) return;
     if (pressed("Ctrl+Q")) commands_.quit();
     if (pressed("Ctrl+O")) commands_.open_dialog();
     if (pressed("Ctrl+S")) commands_.save();
@@ -68,12 +70,16 @@ void EditorProgram::view_shortcuts() {
     if (pressed("L")) viewport_.lit = !viewport_.lit;
     if (pressed("T")) viewport_.turntable = !viewport_.turntable;
     if (pressed("A")) requests_.compare();
+    if (pressed("Shift+A")) session_.kept[0] = session_.recipe();
+    if (pressed("Shift+B")) session_.kept[1] = session_.recipe();
+    if (pressed("N")) graph_.shown = !graph_.shown;
     if (pressed("Ctrl+Plus") || pressed("Ctrl+Shift+Plus")) scale_ = larger_scale(scale_);
     if (pressed("Ctrl+Minus")) scale_ = smaller_scale(scale_);
     if (pressed("Ctrl+0")) scale_ = normal_scale_;
 }
 
 void EditorProgram::file_menu() {
+    if (menu_item(items_, "New", "")) session_.open_new();
     if (menu_item(items_, "Open...", "Ctrl+O")) commands_.open_dialog();
     commands_.recent_menu(items_);
     commands_.pose_menu(items_);
@@ -95,9 +101,10 @@ void EditorProgram::edit_menu() {
     if (menu_item(items_, "Copy the recipe", "Ctrl+C")) copy_recipe();
     if (menu_item(items_, "Paste a recipe", "Ctrl+V")) session_.paste_recipe(window_->clipboard());
     if (menu_item(items_, "Copy the burl command", "Ctrl+Shift+C")) copy_command();
-    if (menu_item(items_, requests_.comparing() ? "Back to the recipe" : "Compare with as opened",
-                  "A"))
-        requests_.compare();
+    ImGui::Separator();
+    if (menu_item(items_, "Compare", "A")) requests_.compare();
+    if (menu_item(items_, "Keep as A", "Shift+A")) session_.kept[0] = session_.recipe();
+    if (menu_item(items_, "Keep as B", "Shift+B")) session_.kept[1] = session_.recipe();
     ImGui::Separator();
     if (menu_item(items_, "Move the texture", "G")) viewport_.take_tool(viewport_.move.on);
     if (menu_item(items_, "Paint", "P")) viewport_.take_tool(viewport_.paint.tool.on);
@@ -114,6 +121,7 @@ void EditorProgram::view_menu() {
     up_menu();
     menu_toggle(items_, "Light", "L", viewport_.lit);
     menu_toggle(items_, "Turntable", "T", viewport_.turntable);
+    menu_toggle(items_, "Graph", "N", graph_.shown);
     menu_toggle(items_, "Atlas", "V", atlas_.state.shown);
     menu_toggle(items_, "Wireframe", "W", atlas_.edges);
     menu_toggle(items_, "Chart borders", "B", atlas_.borders);
@@ -166,7 +174,8 @@ void EditorProgram::menu() {
         if (menu_item(items_, "First steps", "")) preferences_.welcomed = false;
     });
     ImGui::Text("  %s%s", session_.recipe().name.c_str(), session_.history().unsaved() ? " *" : "");
-    if (requests_.comparing()) ImGui::TextUnformatted("  as it was opened (A)");
+    if (requests_.comparing())
+        ImGui::TextUnformatted(fmt::format("  {} (A)", requests_.shown_words()).c_str());
     ImGui::EndMainMenuBar();
 }
 
@@ -176,6 +185,9 @@ void EditorProgram::layout() {
     const bool timeline = session_.timeline.open;
     PaneWishes wishes{ImGui::GetIO().DisplaySize, ImGui::GetFrameHeight(), ImGui::GetFrameHeight(),
                       atlas_.state.shown, 0.0f};
+    // The graph lies below all else, over the window's whole width.
+    const ImVec2 display = wishes.size;
+    wishes.size.y -= graph_height(display.y - wishes.top);
     const float left = panes_of(wishes, preferences_.panes).side.low.x;
     if (timeline) wishes.timeline = timeline_height(session_, left);
     const Panes panes = panes_of(wishes, preferences_.panes);
@@ -186,14 +198,18 @@ void EditorProgram::layout() {
     if (viewport_.window(items_, opening_, times_)) frames_to_draw_ = std::max(frames_to_draw_, 1);
     place_next_window(panes.atlas);
     if (atlas_.state.shown) atlas_window();
+    graph_window({0.0f, wishes.size.y}, {display.x, display.y - wishes.size.y});
     place_next_window(panes.timeline);
     if (timeline) timeline_panel(context);
     place_next_window(panes.side);
-    side_.window(context, baker_, loader_.posed(), preferences_.favourites);
+    side_.window(context, baker_, loader_.posed(),
+                 {graph_, graph_hooks(), preferences_.favourites});
     ImGui::PopStyleVar();
     splitters(items_, wishes, panes, preferences_.panes);
     paint_panel(context, viewport_.paint.tool, panes.object.low);
     move_panel(context, viewport_.move, panes.object.low);
+    look_badge(panes.object.low, {panes.object.high.x - panes.object.low.x,
+                                  panes.object.high.y - panes.object.low.y});
     if (keys_open_) keys_open_ = cheat_sheet(context);
     if (const auto view = recovery_window(context, autosave_)) take_recovered(*view);
     first_steps({panes.object.high.x, panes.object.low.y});

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include "app/gl/device/objects.h"
 #include "app/gl/draw/view_scene.h"
+#include "app/scene/shading.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -161,7 +162,9 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     const PictureSize samples = sample_size(options);
     const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
     samples_->colors.bind();
-    scene_->draw(camera, samples, {0, 0, samples.width, samples.height}, options.lit);
+    const SampleTile tile{0, 0, samples.width, samples.height};
+    scene_->clear(tile, Vec4f(Vec3f(background_linear()), 1.0f));
+    scene_->draw(camera, samples, tile, {.lit = options.lit});
     for (const auto& [kind, shown] : {std::pair(GlEditLines::Kind::edges, options.edges),
                                       std::pair(GlEditLines::Kind::borders, options.borders)})
         if (shown) lines_.draw(kind, camera, samples, options.supersample, options.share);
@@ -173,7 +176,7 @@ void GlEditObject::draw_pixels(const ObjectViewOptions& options) {
     const PictureSize& size = options.size;
     shown_->colors.bind();
     scene_->draw_encoded(camera_of(options.camera, surface_->sphere, size), size,
-                         {0, 0, size.width, size.height}, options.lit);
+                         {0, 0, size.width, size.height}, {.lit = options.lit});
     gl_->Disable(GL_DEPTH_TEST);
 }
 

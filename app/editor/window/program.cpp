@@ -50,6 +50,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       atlas_(window_->context().gl(), wake()),
       viewport_(window_->context().gl(), session_, baker_, requests_, atlas_, wake()),
       side_(window_->context(), options.gallery, wake()) {
+    if (options.gallery) node_gallery_.emplace(window_->context().gl(), wake());
     if (options.preferences.empty()) preferences_.welcomed = true;  // a script knows what to do
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
 }
@@ -191,6 +192,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     const std::string new_title = title();
     if (std::exchange(shown_title_, new_title) != new_title) window_->set_title(new_title);
     viewport_.follow();
+    if (graph_.shown) graph_.follow(session_);
     forget_unseen_popups();
     ImGui::NewFrame();
     shortcuts();
@@ -211,6 +213,7 @@ void EditorProgram::follow_opening() {
     opening_ = opening;
     baker_.hold_jobs(opening_);
     side_.hold(opening_);
+    if (node_gallery_) node_gallery_->hold(opening_);
 }
 
 std::string EditorProgram::title() const {
@@ -286,6 +289,7 @@ void EditorProgram::settle() {
     frame({});
     viewport_.wait();
     side_.wait();
+    if (node_gallery_) node_gallery_->wait();
     atlas_.wait();
     window_->present();
 }

@@ -12,6 +12,7 @@
 #include "app/editor/jobs/requests.h"
 #include "app/editor/panels/file_commands.h"
 #include "app/editor/panels/fonts.h"
+#include "app/editor/panels/graph.h"
 #include "app/editor/panels/items.h"
 #include "app/editor/panels/notices.h"
 #include "app/editor/panels/welcome.h"
@@ -21,6 +22,7 @@
 #include "app/editor/session/session.h"
 #include "app/editor/window/atlas.h"
 #include "app/editor/window/imgui.h"
+#include "app/editor/window/node_gallery.h"
 #include "app/editor/window/side.h"
 #include "app/editor/window/viewport.h"
 #include "app/editor/window/window.h"
@@ -79,6 +81,8 @@ class EditorProgram {
     EditCamera& camera() { return viewport_.camera; }
     EditPreferences& preferences() { return preferences_; }
     const GlEditAtlas& atlas() const { return atlas_; }
+    const EditGraph& graph() const { return graph_; }
+    const TextureRequests& requests() const { return requests_; }
     const EditOpenFiles& files() const { return loader_.files(); }
     FileDialog& dialog() { return commands_.dialog(); }
     /// The number of the last texture request.
@@ -132,6 +136,11 @@ class EditorProgram {
     void atlas_window();
     void first_steps(const ImVec2& corner);
     void notices(float bottom);
+    // graph.cpp: the graph in the window
+    GraphHooks graph_hooks();
+    float graph_height(float room);
+    void graph_window(const ImVec2& low, const ImVec2& size);
+    void look_badge(const ImVec2& low, const ImVec2& size);
 
     std::unique_ptr<GlWindow> window_;
     InterfaceFonts fonts_;  ///< outlives ImGui's context, which refers to it
@@ -150,6 +159,9 @@ class EditorProgram {
     GlEditAtlas atlas_;
     ObjectViewport viewport_;
     SidePanels side_;
+    EditGraph graph_;
+    std::optional<GlNodeGallery> node_gallery_;
+    float graph_share_ = 0.5f;  ///< of the height that the object and the graph share
 
     /// Scale of the user interface from the next frame on, and the one at the start.
     double scale_ = 1.0, normal_scale_ = 1.0;

@@ -33,9 +33,11 @@ void SidePanels::wait() const {
 }
 
 void SidePanels::window(const PanelContext& context, const EditBaker& baker, bool posed,
-                        std::set<std::string>& favourites) {
-    const auto tab = [&](const char* name, auto panel) {
-        const bool open = ImGui::BeginTabItem(name);
+                        const SideParts& parts) {
+    const auto& [graph, hooks, favourites] = parts;
+    const auto tab = [&](const char* name, auto panel, bool front = false) {
+        const bool open = ImGui::BeginTabItem(
+            name, nullptr, front ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
         context.items.note(fmt::format("tab:{}", name));
         if (!open) return;
         if (ImGui::BeginChild(name)) panel();
@@ -54,6 +56,13 @@ void SidePanels::window(const PanelContext& context, const EditBaker& baker, boo
             parameters_panel(context, posed);
         });
         tab("Colours", [&] { color_maps_panel(context, stop_); });
+        if (graph.shown) {
+            const std::string chosen = graph.model().current();
+            const bool front = std::exchange(node_shown_, chosen) != chosen && !chosen.empty();
+            tab(
+                "Node", [&] { node_panel(context, graph, hooks, stop_); }, front);
+        }
+        tab("Steps", [&] { steps_panel(context); });
         tab("Metrics", [&] { metrics_panel(metrics(baker.front())); });
         tab("Log", [&] { log_panel(context); });
         ImGui::EndTabBar();

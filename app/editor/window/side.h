@@ -12,6 +12,7 @@
 #include "app/editor/jobs/baker.h"
 #include "app/editor/jobs/figures.h"
 #include "app/editor/jobs/thumbnails.h"
+#include "app/editor/panels/graph.h"
 #include "app/editor/panels/library.h"
 #include "app/editor/panels/panels.h"
 #include "app/gl/device/context.h"
@@ -41,6 +42,13 @@ class GlEditGallery {
     EditThumbnails thumbnails_;
 };
 
+/// What the side panel shows of the rest of the program.
+struct SideParts {
+    EditGraph& graph;
+    GraphHooks hooks;
+    std::set<std::string>& favourites;  ///< the library's
+};
+
 /// Draws the tabs. All functions are called by the user interface's thread.
 class SidePanels {
   public:
@@ -49,9 +57,9 @@ class SidePanels {
     SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake);
 
     /// Draws the window at the place set for ImGui's next window. `posed`: whether the mesh has a
-    /// pose. `favourites` are the library's.
+    /// pose. A node that was just chosen in the graph brings its tab to the front.
     void window(const PanelContext& context, const EditBaker& baker, bool posed,
-                std::set<std::string>& favourites);
+                const SideParts& parts);
     /// Drops the selection of a colour stop, for another document.
     void deselect() { stop_ = {}; }
 
@@ -66,6 +74,7 @@ class SidePanels {
     GlContext& context_;
     StopSelection stop_;
     LibraryView library_;
+    std::string node_shown_;
     std::optional<GlEditGallery> gallery_;
     EditFigures figures_;
 };

@@ -4,16 +4,15 @@
 #include <utility>
 
 #include "app/base/stopwatch.h"
+#include "app/gl/draw/view_pictures.h"
 #include "app/gl/draw/view_scene.h"
-#include "app/pipeline/material.h"
-#include "app/surface/tangents.h"
+#include "app/scene/up_axis.h"
 #include "atlas/base/error.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/solid/level.h"
 #include "atlas/solid/texel_set.h"
 #include "procedural/batch/row_tasks.h"
 #include "procedural/color/srgb.h"
-#include "procedural/fill/normals.h"
 
 namespace burl {
 
@@ -63,35 +62,6 @@ void insert_all(TexelSet& texels) {
     for (std::uint32_t y = 0; y < texels.size(); ++y) texels.insert({0, texels.size()}, y);
 }
 
-/// The texture with the wrap modes and content of the scene's texture `number`.
-SceneTexture like(SceneTexture texture, const Scene& scene, int number) {
-    const SceneTexture& own = scene.textures[std::size_t(number)];
-    texture.wrap_u = own.wrap_u, texture.wrap_v = own.wrap_v;
-    texture.is_color = own.is_color;
-    return texture;
-}
-
-/// The texels of level 0 of a texture whose levels OpenGL averages: the normals.
-TexelSet averaged_part(ViewSource source, const ViewTexels& view, const Skips& skips) {
-    source.rule = {};
-    return skips.allows(Skip::unseen_tiles) ? view_part(source, view, 1)[0] : whole_part(source)[0];
-}
-
-/// The normals of the recipe's bumps in tangent space at `texels`. `mesh` is the one that the atlas
-/// was built from.
-Image<Rgb8> view_normals(const ViewSource& source, const Mesh& mesh, const TexelSet& texels,
-                         double crease_degrees, int threads) {
-    const Recipe& recipe = source.recipe;
-    const NormalFrames frames =
-        make_normal_frames(mesh, source.layout, {recipe.solid.space, crease_degrees, true});
-    return synthesize_normals<Rgb8>(
-        cut_to(source.solid, texels),
-        {mesh, source.layout.atlas(), frames.positions, frames.normals, frames.tangents},
-        recipe.bump, texture_from_solid(recipe), recipe.filter, threads, graph_precision(recipe),
-        source.masks ? source.masks(source.solid, recipe.bump.input, GraphOutput::color)
-                     : MaskImages());
-}
-
 }  // namespace
 
 std::uint32_t ViewSource::source(std::uint32_t level) const {
@@ -100,7 +70,7 @@ std::uint32_t ViewSource::source(std::uint32_t level) const {
 }
 
 MaskImages ViewSource::color_masks(const SolidAtlas& level) const {
-    return masks ? masks(level, recipe.texture, GraphOutput::color) : MaskImages();
+    return masks ? masks(level, recipe.texture, GraphOutput::color, {}) : MaskImages();
 }
 
 SolidAtlas ViewSource::level(std::uint32_t number) const {
@@ -149,42 +119,24 @@ SceneTexture view_texture(const ViewSource& source, const std::vector<TexelSet>&
 
 LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& view,
                           const LazyOptions& options) {
-    if (is_transparent(pipeline.recipe()))
-        throw Error(
-            ExitCode::unsupported,
-            "--lazy does not draw what is transparent; use --direct, or bake the recipe and "
-            "draw the file, or add --set material.alpha=opaque");
     context.make_current();
     LazyPicture result;
-    const ViewSource source{pipeline.mesh_atlas(), pipeline.solid(), pipeline.recipe(),
-                            options.rule, pipeline.masks()};
-    const Scene scene = baked_scene(pipeline, options.crease_degrees, options.pose);
-    const SceneMaterial& material = baked_material(scene);
+    Scene scene = baked_scene(pipeline, options.crease_degrees, options.pose);
+    turn(scene, options.upright);
+    ViewPictures pictures(pipeline, scene, options);
+    const ViewSource& source = pictures.source();
+    const int colors = baked_material(scene).texture;
     const Camera camera = orbit_camera(view, bounding_sphere(scene), options.picture.size);
     GlScene drawn(context.gl(), scene, options.filter);
-    const TextureLookup lookup =
-        lookup_of(scene, material.texture, options.filter, source.solid.size);
+    const TextureLookup lookup = lookup_of(scene, colors, options.filter, source.solid.size);
     const ViewTexels texels = timed(result.seconds_finding, [&] {
-        return view_texels(context, drawn, camera, options.picture, material.texture, lookup);
+        return view_texels(context, drawn, camera, options.picture, colors, lookup);
     });
-    SceneTexture colors, normals;
-    timed(result.seconds_synthesis, [&] {
-        const std::vector<TexelSet> part = options.skips.allows(Skip::unseen_tiles)
-                                               ? view_part(source, texels, options.cell)
-                                               : whole_part(source);
-        colors = view_texture(source, part, texels, lookup.filter, options.way,
-                              {options.skips, &result.work.synthesis});
-        result.work.texels_made = count_texels(source, part);
-        if (material.normals >= 0)
-            normals.image = view_normals(source, pipeline.atlas_mesh(),
-                                         averaged_part(source, texels, options.skips),
-                                         options.crease_degrees, options.way.threads);
-    });
+    timed(result.seconds_synthesis, [&] { pictures.make(texels, lookup.filter, result.work); });
     result.picture = timed(result.seconds_drawing, [&] {
-        drawn.set_texture(material.texture, like(std::move(colors), scene, material.texture));
-        if (material.normals >= 0)
-            drawn.set_texture(material.normals, like(std::move(normals), scene, material.normals));
-        return render_scene(context, drawn, camera, options.picture);
+        pictures.upload(drawn);
+        const GlSurroundings around(context.gl(), scene, options.picture, options.light);
+        return render_picture(context, drawn, around, camera, options.picture);
     });
     result.work.tiles = texels.count_tiles();
     result.work.texels_read = count_texels(source, view_part(source, texels, 1));

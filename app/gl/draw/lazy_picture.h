@@ -3,6 +3,7 @@
 // texturing. A feedback pass finds the texels that the picture looks up, the host synthesises them,
 // and a second pass draws. Both passes are of the same picture, so no texel is missing.
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -72,22 +73,26 @@ struct LazyOptions {
     HostWay way{};
     double crease_degrees = 40.0;
     const MeshPose* pose = nullptr;  ///< a pose of the pipeline's mesh; null: none
+    Mat4d upright{1.0};              ///< the turn of the scene (app/scene/up_axis.h)
     std::uint32_t cell = view_cell;
+    /// The light of `picture`, where it has been made for another picture; null: it is made.
+    std::shared_ptr<const GlLight> light{};
     Skips skips{};  ///< Skip::unseen_tiles forbidden: the whole atlas is synthesised
 };
 
-/// A picture, with the work and the seconds that it took.
+/// A picture with alpha, with the work and the seconds that it took.
 struct LazyPicture {
-    Image<Rgb8> picture;
+    Image<Rgba8> picture;
     ViewWork work{};
     double seconds_finding = 0.0;    ///< seconds to find the texels looked up
     double seconds_synthesis = 0.0;  ///< seconds to synthesise the texels
     double seconds_drawing = 0.0;
 };
 
-/// Draws the pipeline's recipe as if it had been baked into a .glb, with all MIP levels where they
-/// are looked up, by the same rule, bit for bit. Makes the context current. Throws Error as
-/// render_scene does.
+/// Draws the pipeline's recipe as if it had been baked into a .glb, bit for bit: with all MIP
+/// levels where they are looked up, by the same rule, or, where the material varies in more than
+/// colour, with no levels but those that OpenGL averages. Makes the context current. Throws Error
+/// as render_scene does, and usage for paint over what is transparent.
 LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& view,
                           const LazyOptions& options);
 

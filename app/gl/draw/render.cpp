@@ -1,8 +1,10 @@
-// Everything is drawn into float32 linear light, tile by tile, and averaged and sRGB-encoded on the
-// host, so that the result depends neither on the machine's blending nor on its encoder.
+// Everything is drawn into float32 linear light, tile by tile, and averaged, developed and
+// sRGB-encoded on the host, so that the result does not depend on the machine's encoder.
 #include "app/gl/draw/render.h"
 
 #include <algorithm>
+
+#include "app/image/image_io.h"
 
 namespace burl {
 
@@ -51,21 +53,22 @@ bool add_layer(const Image<RgbaF>& layer, Image<RgbaF>& sum) {
 
 /// Puts the layers over a tile of what is opaque, which has been drawn into the bound framebuffer.
 void blend_layers(const GladGLContext& gl, const GlScene& scene, const Camera& camera,
-                  const PictureSize& samples, const SampleTile& tile, bool lit,
-                  Image<RgbF>& drawn) {
+                  const PictureSize& samples, const SampleTile& tile, const GlShading& shading,
+                  Image<RgbaF>& drawn) {
     GlLayerDepths depths(gl, tile.width, tile.height);
     Image<RgbaF> sum(drawn.width(), drawn.height());
     for (int layer = 0; layer < most_layers; ++layer) {
-        scene.draw_layer(camera, samples, tile, lit, depths);
+        scene.draw_layer(camera, samples, tile, shading, depths);
         if (!add_layer(read_tile<RgbaF>(gl, tile, GL_RGBA), sum)) break;
         depths.take_layer();
     }
     for (std::size_t y = 0; y < sum.height(); ++y)
         for (std::size_t x = 0; x < sum.width(); ++x) {
             const RgbaF& s = sum(x, y);
-            RgbF& below = drawn(x, y);
+            RgbaF& below = drawn(x, y);
             const float shows = 1.0f - s.a;
-            below = {s.r + shows * below.r, s.g + shows * below.g, s.b + shows * below.b};
+            below = {s.r + shows * below.r, s.g + shows * below.g, s.b + shows * below.b,
+                     s.a + shows * below.a};
         }
 }
 
@@ -78,22 +81,27 @@ PictureSize samples_of(const PictureOptions& options) {
 Image<Rgb8> render_scene(GlContext& context, const Scene& scene, const Camera& camera,
                          const PictureOptions& options, std::optional<TextureFilter> filter) {
     context.make_current();
-    return render_scene(context, GlScene(context.gl(), scene, filter), camera, options);
+    const GlSurroundings around(context.gl(), scene, options);
+    return colors_and_alpha(render_picture(context, GlScene(context.gl(), scene, filter), around,
+                                           camera, options))
+        .first;
 }
 
-Image<Rgb8> render_scene(GlContext& context, const GlScene& scene, const Camera& camera,
-                         const PictureOptions& options) {
+Image<Rgba8> render_picture(GlContext& context, const GlScene& scene, const GlSurroundings& around,
+                            const Camera& camera, const PictureOptions& options) {
     context.make_current();
     const GladGLContext& gl = context.gl();
     const int n = options.supersample;
     const PictureSize samples = samples_of(options);
     const SrgbEncoder<std::uint8_t> encode;
-    Image<Rgb8> picture(std::size_t(options.size.width), std::size_t(options.size.height));
+    Image<Rgba8> picture(std::size_t(options.size.width), std::size_t(options.size.height));
     for_each_tile(gl, samples, n, [&](const SampleTile& tile) {
-        scene.draw(camera, samples, tile, options.lit);
-        auto drawn = read_tile<RgbF>(gl, tile, GL_RGB);
-        if (scene.has_layers()) blend_layers(gl, scene, camera, samples, tile, options.lit, drawn);
-        resolve_samples(drawn, n, encode, picture, std::size_t(tile.x / n),
+        around.draw(camera, samples, tile);
+        scene.draw(camera, samples, tile, around.shading());
+        auto drawn = read_tile<RgbaF>(gl, tile, GL_RGBA);
+        if (scene.has_layers())
+            blend_layers(gl, scene, camera, samples, tile, around.shading(), drawn);
+        resolve_samples(drawn, options, encode, picture, std::size_t(tile.x / n),
                         std::size_t(tile.y / n));
     });
     return picture;

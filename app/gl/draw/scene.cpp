@@ -5,21 +5,13 @@
 #include <utility>
 
 #include "app/gl/draw/view_texels.h"
+#include "app/light/brdf.h"
 #include "app/scene/shading.h"
 #include "atlas/base/error.h"
 
 namespace burl {
 
 namespace {
-
-const char* word(bool value) {
-    return value ? "true" : "false";
-}
-
-/// A program of mesh.vert and a fragment shader.
-GlProgram scene_program(const GladGLContext& gl, ShaderSource fragment) {
-    return {gl, "the scene", ShaderSource().add("draw/mesh.vert"), fragment};
-}
 
 GLint wrap_mode(TextureWrap wrap) {
     switch (wrap) {
@@ -102,38 +94,6 @@ GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFi
 
 }  // namespace
 
-const GlProgram& GlScenePrograms::use(const Look& look) {
-    auto found = looks_.find(look);
-    if (found == looks_.end()) {
-        ShaderSource source;
-        source.define("ENCODED", word(look.encoded)).define("LIT", word(look.lit));
-        source.define("BUMPED", word(look.bumped)).define("LEVELS", word(look.levels));
-        source.define("IN_BLOCKS", word(look.in_blocks)).define("PLACES", word(look.places));
-        source.define("MASKS", word(look.masks)).define("BLENDS", word(look.blends));
-        source.add("maps/footprint.glsl")
-            .add("maps/level_size.glsl")
-            .add("color/srgb_encode.glsl")
-            .add("draw/mesh.frag");
-        found = looks_.emplace(look, scene_program(gl_, source)).first;
-    }
-    const GlProgram& program = found->second;
-    program.use();
-    program.set("ambient", float(ambient));
-    program.set("base_color", 0);
-    program.set("normal_map", 1);
-    program.set("nearer", GlLayerDepths::nearer_unit);
-    program.set("farther", GlLayerDepths::farther_unit);
-    return program;
-}
-
-const GlProgram& GlScenePrograms::use_lookups() {
-    if (!lookups_)
-        lookups_.emplace(scene_program(
-            gl_, ShaderSource().add("maps/footprint.glsl").add("draw/mesh_lookups.frag")));
-    lookups_->use();
-    return *lookups_;
-}
-
 GlScene::GlScene(const GladGLContext& gl, const Scene& scene, std::optional<TextureFilter> filter)
     : gl_(gl), programs_(std::make_shared<GlScenePrograms>(gl)) {
     make_textures(scene, filter);
@@ -192,9 +152,10 @@ void GlScene::bind(GLenum unit, int number) const {
 }
 
 void GlScene::draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                   bool lit) const {
-    clear(tile, Vec4f(Vec3f(background_linear()), 1.0f));
-    draw_surfaces(TileView(camera, samples, tile), {.lit = lit}, Drawn::solid);
+                   const GlShading& shading) const {
+    gl_.Viewport(0, 0, tile.width, tile.height);
+    gl_.Enable(GL_DEPTH_TEST);
+    draw_surfaces(TileView(camera, samples, tile), {}, shading, Drawn::solid);
 }
 
 bool GlScene::has_layers() const {
@@ -203,16 +164,17 @@ bool GlScene::has_layers() const {
 }
 
 void GlScene::draw_layer(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                         bool lit, const GlLayerDepths& depths) const {
+                         const GlShading& shading, const GlLayerDepths& depths) const {
     clear(tile, Vec4f(0.0f));
     depths.bind();
-    draw_surfaces(TileView(camera, samples, tile), {.lit = lit, .blends = true}, Drawn::layers);
+    draw_surfaces(TileView(camera, samples, tile), {.blends = true}, shading, Drawn::layers);
 }
 
 void GlScene::draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                           bool lit) const {
+                           const GlShading& shading) const {
     clear(tile, background_codes());
-    draw_surfaces(TileView(camera, samples, tile), {.encoded = true, .lit = lit}, Drawn::all);
+    draw_surfaces(TileView(camera, samples, tile), {.encoded = true, .tone = shading.tone_curve},
+                  shading, Drawn::all);
 }
 
 Vec4f GlScene::background_codes() {
@@ -232,14 +194,13 @@ bool GlScene::has_places() const {
 void GlScene::draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                           bool lit) const {
     clear(tile, Vec4f(0.0f));
-    draw_surfaces(TileView(camera, samples, tile), {.lit = lit, .places = true}, Drawn::all);
+    draw_surfaces(TileView(camera, samples, tile), {.places = true}, {.lit = lit}, Drawn::all);
 }
 
 bool GlScene::has_levels(const GlSurface& surface) const {
-    const auto has = [&](int number) {
-        return number >= 0 && filters_[std::size_t(number)] == TextureFilter::mip;
-    };
-    return has(surface.material().texture) || has(surface.material().normals);
+    for (std::size_t i = 0; i < filters_.size(); ++i)
+        if (filters_[i] == TextureFilter::mip && surface.material().shows(int(i))) return true;
+    return false;
 }
 
 bool GlScene::draws(const GlSurface& surface, Drawn drawn) const {
@@ -247,23 +208,61 @@ bool GlScene::draws(const GlSurface& surface, Drawn drawn) const {
     return drawn == Drawn::all || blends == (drawn == Drawn::layers);
 }
 
-/// Draws these surfaces; `look` holds the properties that do not depend on the surface.
-void GlScene::draw_surfaces(const TileView& view, const GlScenePrograms::Look& look,
-                            Drawn drawn) const {
+/// The properties of the surface's program, some of which `look` has already.
+GlScenePrograms::Look GlScene::look_of(const GlSurface& surface, GlScenePrograms::Look look) const {
+    const SceneMaterial& material = surface.material();
+    look.masks = material.alpha == SceneAlpha::mask;
+    look.bumped = surface.bumped();
+    look.levels = has_levels(surface);
+    look.in_blocks = look.levels && surface.in_blocks();
+    if (material.unlit) look.lit = false;
+    look.ambient &= look.lit;
+    if (!look.ambient) return look;
+    look.clearcoat = material.clearcoat > 0.0f;
+    look.sheen = material.sheen != Vec3f(0.0f);
+    look.transmits = material.transmission > 0.0f;
+    const int orm = material.map(MaterialMap::metallic_roughness);
+    look.one_orm = orm >= 0 && orm == material.map(MaterialMap::occlusion);
+    for (std::size_t i = 0; i < material.maps.size(); ++i)
+        if (material.maps[i] >= 0) look.maps |= 1u << i;
+    return look;
+}
+
+/// Binds the pictures of the material and sets its numbers, for the program in use.
+void GlScene::bind_material(const GlProgram& program, const SceneMaterial& material) const {
+    bind(GL_TEXTURE0 + base_color_unit, material.texture);
+    bind(GL_TEXTURE0 + normal_map_unit, material.normals);
+    for (std::size_t i = 0; i < material.maps.size(); ++i)
+        if (material.maps[i] >= 0)
+            bind(GLenum(GL_TEXTURE0 + first_map_unit + int(i)), material.maps[i]);
+    program.set("normal_scale", material.normal_scale);
+    program.set("base_color_factor", material.factor);
+    program.set("alpha_cutoff", material.alpha_cutoff);
+    program.set("metallic", material.metallic);
+    program.set("roughness", material.roughness);
+    program.set("occlusion_strength", material.occlusion_strength);
+    program.set("emissive", material.emissive);
+    program.set("dielectric_f0", float(dielectric_f0(double(material.ior))));
+    program.set("specular", material.specular);
+    program.set("specular_color", material.specular_color);
+    program.set("clearcoat", material.clearcoat);
+    program.set("clearcoat_roughness", material.clearcoat_roughness);
+    program.set("sheen", material.sheen);
+    program.set("sheen_roughness", material.sheen_roughness);
+    program.set("transmission", material.transmission);
+}
+
+/// Draws these surfaces; `look` holds the properties that depend on neither surface nor light.
+void GlScene::draw_surfaces(const TileView& view, GlScenePrograms::Look look,
+                            const GlShading& shading, Drawn drawn) const {
+    look.lit = shading.lit;
+    look.ambient = shading.light != nullptr;
     for (const GlSurface& surface : surfaces_) {
         if (!draws(surface, drawn)) continue;
-        const SceneMaterial& material = surface.material();
-        GlScenePrograms::Look own = look;
-        own.masks = material.alpha == SceneAlpha::mask;
-        own.bumped = surface.bumped();
-        own.levels = has_levels(surface);
-        own.in_blocks = own.levels && surface.in_blocks();
-        const GlProgram& program = programs_->use(own);
-        bind(GL_TEXTURE0, material.texture);
-        bind(GL_TEXTURE1, material.normals);
-        program.set("normal_scale", material.normal_scale);
-        program.set("base_color_factor", material.factor);
-        program.set("alpha_cutoff", material.alpha_cutoff);
+        const GlProgram& program = programs_->use(look_of(surface, look));
+        if (shading.light) shading.light->use(program);
+        program.set("exposure", shading.exposure);
+        bind_material(program, surface.material());
         surface.draw(gl_, program, view);
     }
     check_gl(gl_, "drawing");
@@ -277,9 +276,7 @@ void GlScene::draw_lookups(const Camera& camera, const PictureSize& samples, con
     const TileView view(camera, samples, tile);
     int first_triangle = 0;
     for (const GlSurface& surface : surfaces_) {
-        const SceneMaterial& material = surface.material();
-        const bool shows = material.texture == number || material.normals == number;
-        lookups.set("first_triangle", shows ? first_triangle : -1);
+        lookups.set("first_triangle", surface.material().shows(number) ? first_triangle : -1);
         surface.draw(gl_, lookups, view);
         first_triangle += surface.triangles();
     }

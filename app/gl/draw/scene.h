@@ -1,39 +1,25 @@
 #pragma once
 // A scene uploaded to OpenGL and drawn in tiles: its colours, or the texture coordinates that it
 // looks up (the feedback pass of virtual texturing: Barrett, "Sparse Virtual Textures", 2008).
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "app/gl/draw/layers.h"
+#include "app/gl/draw/light.h"
+#include "app/gl/draw/programs.h"
 #include "app/gl/draw/surface.h"
 #include "app/scene/scene.h"
 
 namespace burl {
 
-/// The shader programs that draw scenes, compiled at their first use and shared by all scenes of a
-/// context.
-class GlScenePrograms {
-  public:
-    explicit GlScenePrograms(const GladGLContext& gl) : gl_(gl) {}
-
-    /// The properties that a program is compiled for.
-    struct Look {
-        bool encoded = false, lit = false, bumped = false, levels = false, in_blocks = false,
-             places = false, masks = false, blends = false;
-        auto operator<=>(const Look&) const = default;
-    };
-    /// Makes the program of these properties current; compiles it at its first use.
-    const GlProgram& use(const Look& look);
-    /// Makes the program current that draws lookups (app/gl/draw/view_texels.h).
-    const GlProgram& use_lookups();
-
-  private:
-    const GladGLContext& gl_;
-    std::optional<GlProgram> lookups_;
-    std::map<Look, GlProgram> looks_;
+/// How the surfaces of a scene are shaded.
+struct GlShading {
+    bool lit = true;                 ///< false: by their colours alone
+    const GlLight* light = nullptr;  ///< of an environment; null: the headlight
+    float exposure = 1.0f;           ///< factor of light, in encoded pictures
+    bool tone_curve = false;         ///< whether encoded pictures have it
 };
 
 /// Textures and surfaces of a scene. The context must be current wherever an object is created,
@@ -61,22 +47,24 @@ class GlScene {
 
     const GlTexture& texture(int number) const { return textures_[std::size_t(number)]; }
 
-    /// Draws a tile of the picture in linear light into the bound framebuffer, under the headlight
-    /// of app/scene/shading.h where `lit` is set. Surfaces that blend are left to draw_layer().
+    /// Clears a tile of the bound framebuffer to a colour.
+    void clear(const SampleTile& tile, const Vec4f& color) const;
+    /// Draws a tile of the picture in linear light into the bound framebuffer, over what it shows;
+    /// its depth must be cleared. Alpha is 1. Surfaces that blend are left to draw_layer().
     void draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-              bool lit) const;
+              const GlShading& shading) const;
 
     /// Whether a surface blends with what lies behind it.
     bool has_layers() const;
     /// Draws the frontmost surfaces that blend, of those between the depths that `depths` binds:
     /// their colours multiplied by alpha, and alpha, which is 0 where there are none.
     void draw_layer(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                    bool lit, const GlLayerDepths& depths) const;
+                    const GlShading& shading, const GlLayerDepths& depths) const;
 
     /// Draws a tile of the picture in sRGB codes, for a framebuffer whose samples are pixels of the
     /// screen.
     void draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                      bool lit) const;
+                      const GlShading& shading) const;
 
     /// The background colour in sRGB codes of 0..1.
     static Vec4f background_codes();
@@ -93,13 +81,15 @@ class GlScene {
                       int number, std::uint32_t size) const;
 
   private:
-    void clear(const SampleTile& tile, const Vec4f& color) const;
     bool has_levels(const GlSurface& surface) const;
     void bind(GLenum unit, int number) const;
     void make_textures(const Scene& scene, std::optional<TextureFilter> filter);
     enum class Drawn { all, solid, layers };
     bool draws(const GlSurface& surface, Drawn drawn) const;
-    void draw_surfaces(const TileView& view, const GlScenePrograms::Look& look, Drawn drawn) const;
+    GlScenePrograms::Look look_of(const GlSurface& surface, GlScenePrograms::Look look) const;
+    void bind_material(const GlProgram& program, const SceneMaterial& material) const;
+    void draw_surfaces(const TileView& view, GlScenePrograms::Look look, const GlShading& shading,
+                       Drawn drawn) const;
 
     const GladGLContext& gl_;
     std::shared_ptr<GlScenePrograms> programs_;

@@ -46,6 +46,13 @@ glm::mat3 normal_matrix(const Mat4d& transform) {
     return glm::mat3(largest > 0.0 ? cofactors / largest : Mat3d(0.0));
 }
 
+/// The rotation from eye to scene space; the map from scene to eye space is a rotation, scaled and
+/// moved.
+glm::mat3 scene_rotation(const Mat4d& eye_from_scene) {
+    const Mat3d turn(eye_from_scene);
+    return glm::mat3(glm::transpose(turn) / glm::length(turn[0]));
+}
+
 }  // namespace
 
 TileView::TileView(const Camera& camera, const PictureSize& samples, const SampleTile& tile)
@@ -183,6 +190,7 @@ void GlSurface::draw(const GladGLContext& gl, const GlProgram& program,
     gl.BindVertexArray(vertex_array_.get());
     set_constants(gl);
     program.set("target_share", float(changes_ ? target_share_ : 0.0));
+    program.set("scene_from_eye", scene_rotation(view.eye_from_scene));
     for (const Mat4d& placement : placements_) {
         const Mat4d eye_from_local = view.eye_from_scene * placement * local_from_unit_;
         program.set("clip_from_local", glm::mat4(view.clip_from_eye * eye_from_local));

@@ -6,7 +6,6 @@
 
 #include <tbb/parallel_invoke.h>
 
-#include "app/export/gltf_scene.h"
 #include "app/export/vertices.h"
 #include "app/surface/normals.h"
 #include "app/surface/tangents.h"
@@ -79,25 +78,6 @@ void add_part(Scene& scene, const Part& part, const PartVertices& vertices,
     }
 }
 
-SceneTexture texture_of(const AtlasOptions& atlas, bool is_color) {
-    SceneTexture texture{Image<Rgb8>(1, 1), baked_filter(atlas)};
-    texture.wrap_u = texture.wrap_v = TextureWrap::clamp;
-    texture.is_color = is_color;
-    return texture;
-}
-
-/// Adds the textures in a file's order, normals before colours.
-SceneMaterial add_textures(Scene& scene, const AtlasOptions& atlas, bool bumped) {
-    SceneMaterial material;
-    if (bumped) {
-        material.normals = 0;
-        scene.textures.push_back(texture_of(atlas, false));
-    }
-    material.texture = int(scene.textures.size());
-    scene.textures.push_back(texture_of(atlas, true));
-    return material;
-}
-
 /// The normals of the atlas's mesh; the atlas is built in parallel unless it refines the mesh.
 std::vector<Vec3f> normals_of(Pipeline& pipeline, double crease_degrees) {
     std::vector<Vec3f> normals;
@@ -117,6 +97,7 @@ SceneParts scene_parts(Pipeline& pipeline, double crease_degrees) {
     parts.input = &pipeline.mesh();
     parts.layout = &pipeline.mesh_atlas();
     parts.bumped = !pipeline.recipe().bump.empty();
+    parts.material = view_material(pipeline.recipe());
     parts.weight = pipeline.recipe().pose.weight;
     return parts;
 }
@@ -133,7 +114,7 @@ Scene baked_scene(const SceneParts& parts, const MeshPose* pose) {
         posed = posed_corners(mesh, atlas_pose(*pose, *parts.input, *parts.layout), normals,
                               parts.bumped ? corner_uvs(atlas) : std::vector<Vec2d>());
     Scene scene;
-    const SceneMaterial material = add_textures(scene, atlas.options, parts.bumped);
+    const SceneMaterial material = add_textures(scene, atlas.options, parts.material, parts.bumped);
     for (const PartVertices& vertices :
          export_vertices(mesh, atlas, normals, tangents, posed ? &*posed : nullptr))
         add_part(scene, mesh.parts[vertices.part], vertices, material, parts.weight);

@@ -1,6 +1,7 @@
 #pragma once
 // The scene that `burl render` would load from a baked file, built without the file and before its
 // texture exists: pictures of both have the same bits.
+#include "app/gl/draw/view_material.h"
 #include "app/pipeline/pipeline.h"
 #include "app/scene/scene.h"
 #include "atlas/read/pose.h"
@@ -13,6 +14,7 @@ struct SceneParts {
     const Mesh* input = nullptr;        ///< the pipeline's input mesh
     const MeshAtlas* layout = nullptr;  ///< the pipeline's atlas
     std::vector<Vec3f> normals{};       ///< one per corner of the atlas's mesh
+    ViewMaterial material{};
     bool bumped = false;
     double weight = 0.0;  ///< the pose's weight
 
@@ -32,8 +34,8 @@ inline Scene baked_scene(Pipeline& pipeline, double crease_degrees = 40.0,
     return baked_scene(scene_parts(pipeline, crease_degrees), pose);
 }
 
-/// The material of all surfaces of a baked scene: the texture numbers of colours and, -1 without
-/// bumps, of normals.
+/// The material of all surfaces of a baked scene, whose numbers of textures are -1 for pictures
+/// that the recipe does not need.
 inline const SceneMaterial& baked_material(const Scene& scene) {
     return scene.surfaces.front().material;
 }

@@ -101,7 +101,7 @@ class Marker {
 };
 
 bool shows(const Surface& surface, int number) {
-    return surface.material.texture == number || surface.material.normals == number;
+    return surface.material.shows(number);
 }
 
 }  // namespace

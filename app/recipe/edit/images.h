@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/base/json_text.h"
 #include "app/base/sha256.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
@@ -43,6 +44,11 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
 /// Loads a recipe as load_recipe (recipe.h) does, with images from the cache.
 Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings,
                    RecipeImages& images);
+
+/// The recipe of JSON that has been checked (check.h) and respelled. Images that `known` has are
+/// taken from it, others are read relative to the folder of `origin`, which throws Error as
+/// read_png does.
+Recipe recipe_of(const Json& tree, const Recipe& known, const std::string& origin);
 
 /// The recipe with its images' paths, which are relative to the folder of `from` (a file or a
 /// preset), rewritten relative to the folder of `to`. Absolute paths stay absolute for images that

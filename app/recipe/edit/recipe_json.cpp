@@ -96,6 +96,37 @@ Recipe recipe_from_json(const Json& json, const ImageReader& read_image) {
     return recipe;
 }
 
+/// The MIP map that a recipe has of an image; null: none.
+std::shared_ptr<const MipImage> known_image(const Recipe& known, const std::string& file,
+                                            ImageWrap wrap) {
+    for (const TextureGraph* graph : {&known.texture, &known.bump.input})
+        for (const GraphImage& image : graph->images)
+            if (image.file == file && image.pixels->wrap() == wrap) return image.pixels;
+    return nullptr;
+}
+
+/// Reads a recipe from JSON that has been checked. Images are those of `known` or, where it lacks
+/// them, are decoded once all have told their sizes.
+Recipe read_recipe(const Json& tree, const std::string& origin, RecipeImages& images,
+                   const Recipe& known) {
+    const auto path_of = [folder = std::filesystem::path(origin).parent_path()](
+                             const std::string& file) { return (folder / file).string(); };
+    DeclaredImages declared;
+    std::set<const MipImage*> blank;
+    Recipe recipe = recipe_from_json(tree, [&](const std::string& file, ImageWrap wrap) {
+        if (auto pixels = known_image(known, file, wrap)) return pixels;
+        declared.add(path_of(file), wrap);
+        auto pixels = blank_image(wrap);
+        blank.insert(pixels.get());
+        return pixels;
+    });
+    for (TextureGraph* graph : {&recipe.texture, &recipe.bump.input})
+        for (GraphImage& image : graph->images)
+            if (blank.contains(image.pixels.get()))
+                image.pixels = images.pyramid(path_of(image.file), image.pixels->wrap());
+    return recipe;
+}
+
 /// The channels that differ from the defaults.
 Json material_to_json(const Recipe& recipe) {
     Json json = Json::object();
@@ -145,17 +176,12 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
     if (const auto problem = find_problem(tree)) throw invalid_file(origin, 0, problem->sentence);
     tree = respelled(std::move(tree));
     if (!settings.empty()) apply_settings(tree, settings);
-    const auto path_of = [folder = std::filesystem::path(origin).parent_path()](
-                             const std::string& file) { return (folder / file).string(); };
-    DeclaredImages declared;
-    Recipe recipe = recipe_from_json(tree, [&](const std::string& file, ImageWrap wrap) {
-        declared.add(path_of(file), wrap);
-        return blank_image(wrap);
-    });
-    for (TextureGraph* graph : {&recipe.texture, &recipe.bump.input})
-        for (GraphImage& image : graph->images)
-            image.pixels = images.pyramid(path_of(image.file), image.pixels->wrap());
-    return recipe;
+    return read_recipe(tree, origin, images, {});
+}
+
+Recipe recipe_of(const Json& tree, const Recipe& known, const std::string& origin) {
+    RecipeImages images;
+    return read_recipe(tree, origin, images, known);
 }
 
 Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings,

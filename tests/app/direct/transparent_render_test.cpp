@@ -45,7 +45,8 @@ Image<Rgb8> draw_panes(const std::vector<Pane>& panes, std::span<const PlaneLaye
     };
     const PictureOptions options{{21, 21}, false, 1};
     const Camera camera = orbit_camera({0, 0, 3}, bounding_sphere(mesh), options.size);
-    return render_samples({mesh, corner_normals(mesh, 40.0), color, {}, planes}, camera, options);
+    return opaque(
+        render_samples({mesh, corner_normals(mesh, 40.0), color, {}, planes}, camera, options));
 }
 
 /// The colours that the middle shows, from the back to the front.

@@ -54,21 +54,6 @@ const std::string clear_colors =
 const std::string opaque_colors =
     R"("base_color": {"node": "mix", "a": "#c9a06a", "b": "#6e4722", "amount": "grain"},)";
 
-/// The emitted shader with a main function that shows `color`, an expression of `solid` and of its
-/// material `m`.
-std::string showing(std::string shader, const std::string& color) {
-    const std::string main = "void main() {";
-    shader.replace(shader.find(main), main.size(), "void emitted_main() {");
-    return shader + fmt::format(R"(
-void main() {{
-    vec3 solid = solid_base + texelFetch(solid_map, ivec2(gl_FragCoord.xy), 0).xyz;
-    TextureMaterial m = texture_material(solid);
-    color = {};
-}}
-)",
-                                color);
-}
-
 class GlEmitMaterialTest : public EmittedShaderTest {
   protected:
     using Host = std::function<Vec4d(const Vec3d& solid)>;
@@ -83,7 +68,8 @@ class GlEmitMaterialTest : public EmittedShaderTest {
         const Vec3d base = solid_base(pipeline_.solid(), map);
         const std::uint32_t side = pipeline_.solid().size;
         const SolidMap points = fill_solid_map(pipeline_.solid(), map, base, {0, 0, side, side}, 1);
-        const std::string shader = emit_glsl(recipe, texture_from_mesh(recipe, pipeline_.mesh()));
+        const std::string shader =
+            emit_glsl(recipe, solid_from_mesh(pipeline_.mesh(), recipe.solid.space)).text;
         const std::vector<float> shown = draw(showing(shader, color), points, base);
         int away = 0;
         Vec4d least(1e9), most(-1e9);
@@ -214,17 +200,19 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 TEST(GlEmitMaterial, NodesOfSeveralChannelsAreWrittenOnce) {
     Recipe recipe = material(clear_colors);
     recipe.bump = {};
-    const std::string text = emit_glsl(recipe, {});
+    const std::string text = emit_glsl(recipe, {}).text;
     EXPECT_EQ(count_of(text, "// fbm (node"), 2u) << text;  // grain and transmission
     EXPECT_EQ(count_of(text, "texture_planes(solid);"), 1u);
 }
 
 TEST(GlEmitMaterial, ConstantChannelsAreNumbers) {
-    const std::string text = emit_glsl(
-        parse_recipe(R"({"material": {"base_color": {"node": "checkerboard_3d"}, "opacity": 0.25,
+    const std::string text =
+        emit_glsl(parse_recipe(
+                      R"({"material": {"base_color": {"node": "checkerboard_3d"}, "opacity": 0.25,
                          "metallic": 1}})",
-                     "test"),
-        {});
+                      "test"),
+                  {})
+            .text;
     for (const char* part :
          {"vec4(texture_color(solid), 0.25)", "material.metallic = 1.0;",
           "material.roughness = 0.6;", "material.emissive = vec3(0.0, 0.0, 0.0);",
@@ -244,7 +232,7 @@ TEST(GlEmitMaterial, BumpsOfTooManyStopsAreRefused) {
                                  stops),
                      "test");
     try {
-        emit_glsl(recipe, {});
+        emit_glsl(recipe, {}).text;
         FAIL() << "nothing was refused";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::unsupported);
@@ -276,7 +264,7 @@ TEST(GlEmitMaterial, MaterialsAndNodesAreValidGlsl) {
     const test::Scratch scratch;
     std::string files;
     const auto add = [&](const std::string& name, const Recipe& recipe) {
-        files += " '" + scratch.write(name + ".frag", emit_glsl(recipe, {})) + "'";
+        files += " '" + scratch.write(name + ".frag", emit_glsl(recipe, {}).text) + "'";
     };
     for (const GraphCase& one : graph_cases) add(fmt::format("node-{}", one.node), all_of(one));
     for (const char* alpha : {"blend", "mask", "opaque"}) {

@@ -38,7 +38,7 @@ class GlEmitTest : public EmittedShaderTest {
         const Vec3d base = solid_base(pipeline.solid(), map);
         const auto side = std::uint32_t(expected.width());
         const std::vector<float> colors =
-            draw(emit_glsl(recipe, texture_from_mesh(recipe, pipeline.mesh())),
+            draw(emit_glsl(recipe, solid_from_mesh(pipeline.mesh(), recipe.solid.space)).text,
                  fill_solid_map(pipeline.solid(), map, base, {0, 0, side, side}, 1), base);
         int away = 0;
         for (std::size_t i = 0; i < expected.pixels().size(); ++i) {
@@ -73,7 +73,7 @@ TEST_F(GlEmitTest, ColourMapsOfManyStopsBecomeConstants) {
     stops.clear();
     for (int i = 0; i < 300; ++i)
         stops.push_back({i / 300.0, {std::uint8_t(i % 2), std::uint8_t(i / 2), 100}});
-    EXPECT_THAT(emit_glsl(recipe, {}), HasSubstr("const float color_map"));
+    EXPECT_THAT(emit_glsl(recipe, {}).text, HasSubstr("const float color_map"));
     EXPECT_LE(texels_away(recipe), 20);
 }
 
@@ -92,7 +92,8 @@ Recipe recipe_of(const char* texture) {
 TEST(GlEmit, SaysWhatItIsAndHoldsNothingElse) {
     const Affine3 map{Mat3d(0.25), Vec3d(1, 2, 3)};
     const std::string text =
-        emit_glsl(recipe_of(R"({"node": "checkerboard_3d", "a": "#ff0000", "b": "#ffffff"})"), map);
+        emit_glsl(recipe_of(R"({"node": "checkerboard_3d", "a": "#ff0000", "b": "#ffffff"})"), map)
+            .text;
     EXPECT_TRUE(text.starts_with("#version 330 core\n"));
     for (const char* part : {"texture test", "vec3 texture_color(vec3 solid)", "void main()",
                              "uniform sampler2D solid_map", "vec3(1.0, 2.0, 3.0)"})
@@ -109,7 +110,7 @@ TEST(GlEmit, SaysWhichImageIsAnAlpha) {
         [](const std::string&, ImageWrap wrap) {
             return std::make_shared<const MipImage>(Image<Rgba8>(4, 4, {9, 9, 9, 99}), wrap);
         });
-    const std::string text = emit_glsl(recipe, {});
+    const std::string text = emit_glsl(recipe, {}).text;
     EXPECT_THAT(text, HasSubstr("image leaf.png, decoded to linear light (an sRGB texture) and "
                                 "multiplied by its alpha"));
     EXPECT_THAT(text, HasSubstr("is the alpha of the image leaf.png"));
@@ -122,7 +123,8 @@ TEST(GlEmit, PresetsAndNodesAreValidGlsl) {
     const Scratch scratch;
     std::string files;
     const auto add = [&](std::string_view name, const Recipe& recipe) {
-        files += " '" + scratch.write(fmt::format("{}.frag", name), emit_glsl(recipe, {})) + "'";
+        files +=
+            " '" + scratch.write(fmt::format("{}.frag", name), emit_glsl(recipe, {}).text) + "'";
     };
     for (const std::string& name : presets()) add("preset-" + name, load_recipe(name));
     for (const GraphCase& one : graph_cases) {
@@ -168,12 +170,12 @@ TEST(GlEmit, BakesThatCannotWriteItWriteNothing) {
 TEST(GlEmit, NamesStayInTheirComment) {
     Recipe recipe = load_recipe("marble");
     recipe.name = "a\n#error x\\";
-    EXPECT_THAT(emit_glsl(recipe, {}), HasSubstr("// Solid texture a?#error x?, written"));
+    EXPECT_THAT(emit_glsl(recipe, {}).text, HasSubstr("// Solid texture a?#error x?, written"));
 }
 
 TEST(GlEmit, SlopesBecomeFunctionsWithGradients) {
     const std::string text =
-        emit_glsl(recipe_of(R"({"node": "slope", "input": {"node": "fbm"}})"), {});
+        emit_glsl(recipe_of(R"({"node": "slope", "input": {"node": "fbm"}})"), {}).text;
     for (const char* part : {"vec4 gradient0(vec3 solid)", "perlin_sample", "dual_at"})
         EXPECT_THAT(text, HasSubstr(part));
     for (const char* part : {"real", "exact", "dual_sin", "simplex"})

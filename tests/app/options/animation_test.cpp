@@ -1,7 +1,6 @@
 // Frames of an animation against bakes and pictures of single recipes, and what is refused before
 // anything is written.
 #include "app/options/animation.h"
-#include "app/recipe/edit/recipe_json.h"
 
 #include <algorithm>
 
@@ -10,6 +9,7 @@
 
 #include "app/image/image_io.h"
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 #include "procedural/model/octaves.h"
 #include "tests/app/programs/run_program.h"
@@ -17,7 +17,6 @@
 
 namespace burl::test {
 namespace {
-
 const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 const std::string amplitude = "texture.input.noise.0.amplitude";
 const std::string phase = "texture.input.noise.0.phase.2";

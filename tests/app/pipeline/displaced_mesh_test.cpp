@@ -45,16 +45,12 @@ TEST(DisplacedMesh, TheHeightIsThatOfTheSolidPoint) {
                     std::abs(0.25 * 2 * cube.positions[i].x), 1e-9);
 }
 
-TEST(DisplacedMesh, HeightsThatAreNoNumbersOrOfTexelsAreRefused) {
+TEST(DisplacedMesh, HeightsThatAreNoNumbersAreRefused) {
     const Mesh cube = sample_mesh("sample:cube");
-    for (const char* height :
-         {R"({"node": "power", "input": 1e9, "exponent": 40})", R"({"node": "curvature"})"})
-        EXPECT_THROW(
-            displaced_mesh(cube,
-                           bumpy_recipe(fmt::format(R"({{"material": {{"height": {}}}}})", height)),
-                           cube),
-            Error)
-            << height;
+    EXPECT_THROW(displaced_mesh(cube, bumpy_recipe(R"({"material": {"height": {"node": "power",
+                                         "input": 1e9, "exponent": 40}}})"),
+                                cube),
+                 Error);
 }
 
 /// The greatest angle, in radians, between the faces of a displaced sphere and the normals that

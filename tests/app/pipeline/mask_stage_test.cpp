@@ -1,6 +1,8 @@
 // Images of masks are made once, kept as long as they may be, and read by textures, levels, bands,
 // materials and bumps; what has no texels refuses masks.
 #include <set>
+#include <stop_token>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -94,6 +96,47 @@ TEST(MaskStage, WhatNothingReadsIsNotMade) {
     std::set<float> cosines;
     for (const RgbaF& texel : pictures[0].pixels()) cosines.insert(std::round(texel.r * 1e6f));
     EXPECT_EQ(cosines, (std::set<float>{-1e6f, 0.0f, 1e6f}));
+}
+
+TEST(MaskStage, AStopLeavesNothingThatIsNotWhole) {
+    const Recipe recipe = mask_recipe(R"({"node": "occlusion", "rays": 64})");
+    Pipeline anew(ring_and_plate());
+    anew.set_recipe(recipe);
+    const Image<Rgb8> whole = anew.synthesize<Rgb8>();
+    Pipeline pipeline(ring_and_plate());
+    pipeline.set_recipe(recipe);
+    static_cast<void>(pipeline.solid());
+    std::stop_source before;
+    before.request_stop();
+    EXPECT_EQ(pipeline.picture<Rgb8>(0, before.get_token()), nullptr);
+    EXPECT_EQ(pipeline.records()[Stage::masks].runs, 0u);
+    // A request while rays are traced, whenever that is: stopped, or done in time.
+    std::stop_source during;
+    std::jthread stopper([&] { during.request_stop(); });
+    const Image<Rgb8>* shown = pipeline.picture<Rgb8>(0, during.get_token());
+    if (shown) {
+        EXPECT_EQ(*shown, whole);
+    }
+    const Image<Rgb8>* after = pipeline.picture<Rgb8>();
+    ASSERT_NE(after, nullptr);
+    EXPECT_EQ(*after, whole);
+    EXPECT_EQ(pipeline.records()[Stage::masks].runs, 1u);
+}
+
+TEST(MaskStage, GradientsAreMadeWhereSomethingTakesThem) {
+    Pipeline pipeline(ring_and_plate());
+    const auto bytes_with = [&](const Settings& settings) {
+        pipeline.set_recipe(mask_recipe(R"({"node": "occlusion", "rays": 4})", settings));
+        static_cast<void>(pipeline.synthesize<Rgb8>());
+        return pipeline.records()[Stage::masks].last.bytes;
+    };
+    const std::uint64_t values = 128 * 128 * 4;
+    EXPECT_EQ(bytes_with({}), values);
+    EXPECT_EQ(bytes_with({"filter.kind=trapezoid"}), 4 * values);
+    EXPECT_EQ(bytes_with({}), 4 * values);  // those there are will do
+    EXPECT_EQ(pipeline.records()[Stage::masks].runs, 2u);
+    EXPECT_EQ(bytes_with({R"(texture={"node":"part"})", "filter.kind=trapezoid"}), values);
+    EXPECT_EQ(bytes_with({R"(bump.input={"node":"occlusion","rays":4})"}), 4 * values);
 }
 
 TEST(MaskStage, BandsAreTheWhole) {

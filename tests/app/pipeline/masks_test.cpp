@@ -30,13 +30,17 @@ void for_points(Pipeline& pipeline, const Visit& visit) {
     const SolidAtlas& solid = pipeline.solid();
     const Affine3 map = solid_from_mesh(pipeline.mesh(), pipeline.recipe().solid.space);
     const ShapeScene scene(pipeline.atlas_mesh());
+    const TexelOwners owners(solid, pipeline.atlas(), OwnerReach::gutters);
     std::size_t texel = 0;
     for (std::uint32_t y = 0; y < solid.size; ++y)
         for (const Span& span : solid.row(y))
             for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
                 if (++texel % 7 != 0) continue;
-                const std::uint32_t t = solid.triangle_of(span.map);
                 const Vec3d p = (solid.maps[span.map](x, y) - map.offset) / map.linear[0][0];
+                const std::uint32_t shows = solid.triangle_of(span.map);
+                const Vec3d there = scene.weights_at(shows, p);
+                const bool inside = std::min({there.x, there.y, there.z}) >= 0.0;
+                const std::uint32_t t = inside ? shows : owners(x, y, span.map);
                 visit(picture(x, y).g, scene.surface_point(t, scene.weights_at(t, p)));
             }
     EXPECT_GT(texel, solid.size * solid.size / 3);
@@ -164,6 +168,42 @@ TEST(MeshMasks, AttributesOfTheFileAreInterpolated) {
     for_points(pipeline, [](float value, const ShapePoint& at) {
         ASSERT_NEAR(value, 3.0 * at.position.x + 1.0 + 20.0 * at.position.y, 1e-4);
     });
+}
+
+TEST(MeshMasks, OnAFlatPatchOfManyTrianglesAreThoseOfEachTriangle) {
+    // 6 x 6 squares with colours that are linear in the points, so any other triangle would show.
+    Mesh mesh;
+    for (std::uint32_t y = 0; y <= 6; ++y)
+        for (std::uint32_t x = 0; x <= 6; ++x) mesh.positions.push_back({x, y, 0});
+    for (std::uint32_t y = 0; y < 6; ++y)
+        for (std::uint32_t x = 0; x < 6; ++x) {
+            const std::uint32_t a = 7 * y + x;
+            mesh.triangles.push_back({a, a + 1, a + 8});
+            mesh.triangles.push_back({a, a + 8, a + 7});
+        }
+    add_whole_part(mesh);
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle)
+            mesh.corners.colors.push_back(
+                {0.0, (mesh.positions[corner].x + 3.0 * mesh.positions[corner].y) / 24.0, 0.0, 1});
+    for (const char* kind : {"patch", "quad"}) {
+        Pipeline pipeline(mesh);
+        pipeline.set_recipe(
+            mask_recipe(R"({"node": "vertex_color"})",
+                        {fmt::format("atlas.kind={}", kind), "solid.space=object"}));
+        const Image<RgbF> picture = pipeline.synthesize<RgbF>();
+        const SolidAtlas& solid = pipeline.solid();
+        std::size_t texels = 0, exact = 0;
+        for (std::uint32_t y = 0; y < solid.size; ++y)
+            for (const Span& span : solid.row(y))
+                for (std::uint32_t x = span.x; x < span.x + span.count; ++x, ++texels) {
+                    const Vec3d p = solid.maps[span.map](x, y);
+                    const double truth = (p.x + 3.0 * p.y) / 24.0;
+                    exact += std::abs(double(picture(x, y).g) - truth) < 1e-4;
+                }
+        // Gutters show the sides of their charts.
+        EXPECT_GT(double(exact), 0.8 * double(texels)) << kind;
+    }
 }
 
 TEST(MeshMasks, WithoutAttributesAreWhiteAndNought) {

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/image/image_io.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/read/read_mesh.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl::test {
@@ -45,6 +47,55 @@ TEST(Masks, AreRefusedWhereThereAreNoTexels) {
         EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
     }
     EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(Masks, AreReadAtPointsOfAMeshThatIsNamed) {
+    const Scratch scratch;
+    const std::string recipe = scratch.write("edge.json", R"({"texture": {"node": "fbm"},
+        "material": {"height": {"node": "height_in_box", "axis": "x"},
+                     "roughness": {"node": "facing", "direction": [1, 0, 0]}},
+        "solid": {"space": "object"}})");
+    // Off the side x = 1 of the cube from -1 to 1, and on its side y = 1.
+    const std::string points = scratch.write("p.csv", "1.5,0.2,0.3\n-0.25,1,0.25\n");
+    const auto eval = [&](const std::string& more) {
+        return run_burl(scratch,
+                        fmt::format("eval '{}' --points '{}' --json {}", recipe, points, more));
+    };
+    const Outcome height = eval("--channel height --mesh sample:cube");
+    ASSERT_EQ(height.exit_code, 0) << height.err;
+    const auto at = [](const Outcome& outcome, std::size_t point) {
+        return nlohmann::json::parse(outcome.out)["points"][point]["float64"];
+    };
+    const Box3 box = bounding_box(sample_mesh("sample:cube"));
+    const double side = box.size().x;
+    EXPECT_NEAR(at(height, 0)["value"].get<double>(), 1.0, 1e-5);
+    EXPECT_NEAR(at(height, 1)["value"].get<double>(), (-0.25 - box.low.x) / side, 1e-5);
+    EXPECT_NEAR(at(height, 1)["gradient"][0].get<double>(), 1.0 / side, 1e-12);
+    EXPECT_EQ(at(height, 1)["gradient"][1].get<double>(), 0.0);
+    const Outcome rough = eval("--channel roughness --mesh sample:cube --set solid.space=object");
+    ASSERT_EQ(rough.exit_code, 0) << rough.err;
+    EXPECT_EQ(at(rough, 0)["value"].get<double>(), 1.0);
+    EXPECT_EQ(at(rough, 1)["value"].get<double>(), 0.0);
+    for (const std::string& wrong : {std::string("--mesh sample:cube"),
+                                     std::string("--channel height --set solid.space=unit")}) {
+        const Outcome outcome = eval(wrong);
+        EXPECT_NE(outcome.exit_code, 0) << wrong;
+        EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    }
+    EXPECT_THAT(eval("--channel height").err, HasSubstr("name the mesh with --mesh"));
+}
+
+TEST(Masks, MovePointsOfADisplacedMesh) {
+    const Scratch scratch;
+    const std::string recipe = scratch.write("worn.json", R"({"texture": {"node": "fbm"},
+        "material": {"height": {"node": "curvature", "radius": 0.2}}, "bump": {"height": 0.1}})");
+    const Outcome outcome = run_burl(
+        scratch, fmt::format("bake sample:cube -o '{}' --recipe '{}' --size 64 --displace 3",
+                             scratch / "a.glb", recipe));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Vec3d plain = bounding_box(sample_mesh("sample:cube")).size();
+    const Vec3d worn = bounding_box(read_mesh(scratch / "a.glb")).size();
+    EXPECT_GT(worn.x, 1.01 * plain.x);  // its corners stick out
 }
 
 TEST(Masks, AreWrittenBesideAnOutput) {

@@ -14,8 +14,8 @@ inline Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const C
     const SampleColor color = [&](const SurfacePoint& point, const Footprint& steps) {
         return color_at(map(position(mesh, point)), steps);
     };
-    return render_samples({mesh, normals, color, bumped_normals(recipe, mesh), {}}, camera,
-                          options);
+    return opaque(
+        render_samples({mesh, normals, color, bumped_normals(recipe, mesh), {}}, camera, options));
 }
 
 }  // namespace burl

@@ -7,37 +7,17 @@
 
 #include <atomic>
 
-#include "atlas/build/mesh_atlas.h"
 #include "atlas/shape/occlusion.h"
 #include "atlas/shape/point_masks.h"
 #include "tests/atlas/support/made_shapes.h"
+#include "tests/atlas/support/shown_mesh.h"
 
 namespace burl {
 namespace {
 
-struct Shown {
-    Mesh mesh;
-    SolidAtlas solid;
-    ShapeScene shape;
-};
-
-Shown shown(const Mesh& input, AtlasKind kind, std::uint32_t size) {
-    AtlasOptions options;
-    options.kind = kind, options.size = size;
-    const MeshAtlas atlas = build_atlas(input, build_connectivity(input), options);
-    const Mesh& mesh = atlas.mesh(input);
-    return {mesh, rasterize(input, atlas, mesh.positions), ShapeScene(mesh)};
-}
-
-/// Calls visit(x, y, triangle, weights of its corners) for all texels that show something.
-template <class Visit>
-void for_texels(const Shown& all, const Visit& visit) {
-    for (std::uint32_t y = 0; y < all.solid.size; ++y)
-        for (const Span& span : all.solid.row(y))
-            for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
-                const std::uint32_t t = all.solid.triangle_of(span.map);
-                visit(x, y, t, all.shape.weights_at(t, all.solid.maps[span.map](x, y)));
-            }
+Image<float> values_of(const Shown& all, const PointMask& mask,
+                       const TexelMaskOptions& options = {}) {
+    return texel_mask(all.solid, all.owners(), all.shape, {mask}, options).values;
 }
 
 const std::vector<AtlasKind> kinds{AtlasKind::quad, AtlasKind::length, AtlasKind::patch};
@@ -50,7 +30,7 @@ TEST(TexelMask, OfALinearMaskIsExactAndGuttersStayOnTheirTriangle) {
     for (const AtlasKind kind : kinds) {
         const Shown all = shown(made::torus(1.0, 0.4, 12, 8), kind, 128);
         for (const double spacing : {0.0, 4.0}) {
-            const Image<float> image = texel_mask(all.solid, all.shape, height, {spacing, 9.0f});
+            const Image<float> image = values_of(all, height, {spacing, 9.0f});
             std::size_t texels = 0, outside = 0;
             for_texels(all, [&](auto x, auto y, auto t, const Vec3d& weights) {
                 double expected = 2.0;
@@ -79,7 +59,7 @@ TEST(TexelMask, OfOcclusionIsWithinAHundredthOfTheTruthAtAFifthOfThePoints) {
             asked += points.size();
             occlusion(all.shape, points, {}, values);
         };
-        const Image<float> image = texel_mask(all.solid, all.shape, open);
+        const Image<float> image = values_of(all, open);
         std::vector<ShapePoint> points;
         std::vector<float> found;
         std::size_t texel = 0;
@@ -106,7 +86,7 @@ TEST(TexelMask, ThreadsDoNotMatterNorDoBadTriangles) {
         };
         const auto with_threads = [&](std::size_t threads) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-            return texel_mask(all.solid, all.shape, open);
+            return values_of(all, open);
         };
         const Image<float> one = with_threads(1);
         EXPECT_TRUE(one == with_threads(4));

@@ -23,7 +23,7 @@ MaskImages noise_images(std::uint32_t size, std::size_t count) {
         Image<float> image(size, size);
         for (std::size_t y = 0; y < size; ++y)
             for (float& value : image.row(y)) value = float(random() % 4096) / 4096.0f;
-        images.push_back(std::make_shared<const Image<float>>(std::move(image)));
+        images.push_back(std::make_shared<const TexelField>(TexelField{std::move(image)}));
     }
     return images;
 }
@@ -47,8 +47,10 @@ TEST(MaskImages, ATexelHasItsOwnNumbers) {
                 for (std::size_t y = 0; y < solid.size; ++y)
                     for (const Span& span : solid.row(y))
                         for (std::size_t x = span.x; x < span.x + span.count; ++x)
-                            ASSERT_NEAR(image(x, y).g,
-                                        (*masks[0])(x, y) + 2.0f * (*masks[1])(x, y) + 0.5f, 1e-6);
+                            ASSERT_NEAR(
+                                image(x, y).g,
+                                masks[0]->values(x, y) + 2.0f * masks[1]->values(x, y) + 0.5f,
+                                1e-6);
             }
 }
 
@@ -90,7 +92,7 @@ TEST(MaskImages, ChannelsOfAMaterialReadThem) {
         for (std::size_t y = 0; y < solid.size; ++y)
             for (const Span& span : solid.row(y))
                 for (std::size_t x = span.x; x < span.x + span.count; ++x)
-                    ASSERT_EQ(picture[0](x, y).b, (*masks[0])(x, y));
+                    ASSERT_EQ(picture[0](x, y).b, masks[0]->values(x, y));
     }
     // The base colour alone needs none.
     EXPECT_NO_THROW(synthesize_graph<Rgb8>(solid, graph, {}, {}, 1));

@@ -86,6 +86,18 @@ TEST(GraphGradient, AgreesWithDifferences) {
         EXPECT_LT(worst_error(std::string(graph.json), {}), 1e-5) << graph.node;
 }
 
+TEST(GraphGradient, OfEveryBlendModeAgreesWithDifferences) {
+    for (const std::string mode :
+         {"normal", "multiply", "screen", "overlay", "add", "darken", "lighten", "soft_light"})
+        EXPECT_LT(worst_error(R"({"node": "blend", "mode": ")" + mode + R"(",
+            "top": {"node": "remap", "in_low": -1, "input": {"node": "fbm", "octaves": 2}},
+            "base": {"node": "remap", "in_low": -1, "input": {"node": "fbm", "seed": 9}},
+            "mask": {"node": "sine", "period": 3}})",
+                              {}),
+                  1e-5)
+            << mode;
+}
+
 TEST(GraphGradient, AgreesWithDifferencesOfMeans) {
     // Where the footprint is the same everywhere, the mean over it has an exact gradient too.
     const Footprint footprint{{0.21, 0.04, -0.03}, {0.02, -0.17, 0.09}};

@@ -57,7 +57,11 @@ std::vector<Vec3d> colors_of(const TextureGraph& graph, const std::vector<Vec3d>
     for (std::size_t i = 0; i < points.size(); ++i)
         for (int axis = 0; axis < 3; ++axis) arrays[Register(axis)][i] = points[i][axis];
     for (std::size_t m = 0; m < arrays.masks.size(); ++m)
-        std::ranges::copy(masks[m], arrays.masks[m].values);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            arrays.masks[m].values[i] = masks[m][i].value;
+            for (std::size_t axis = 0; axis < 3 && !arrays.mask_slopes.empty(); ++axis)
+                arrays.mask_slopes[m][axis].values[i] = masks[m][i].slope[int(axis)];
+        }
     const auto found = values(points.size(), arrays);
     const GraphEvaluator evaluate(graph);
     GraphEvaluator::Scratch scratch = evaluate.make_scratch();
@@ -72,12 +76,14 @@ std::vector<Vec3d> colors_of(const TextureGraph& graph, const std::vector<Vec3d>
     return colors;
 }
 
-/// Masks of random numbers from -1 to 1.
+/// Masks of random numbers from -1 to 1, with random gradients.
 MaskValues random_masks(std::size_t masks, std::size_t points) {
     MaskValues values(masks);
-    for (std::size_t m = 0; m < masks; ++m)
+    for (std::size_t m = 0; m < masks; ++m) {
+        const std::vector<Vec3d> slopes = random_points(points, 2.0, std::uint32_t(m + 100));
         for (const Vec3d& p : random_points(points, 1.0, std::uint32_t(m)))
-            values[m].push_back(p.x);
+            values[m].push_back({p.x, slopes[values[m].size()]});
+    }
     return values;
 }
 
@@ -86,19 +92,21 @@ TEST(GraphMasks, GiveTheTexelsNumbersWhereverTheyStand) {
     const MaskValues m = random_masks(3, points.size());
     const std::vector<Vec3d> colors = colors_of(graph_of(worn), points, m);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double hollow = std::max(0.0, -m[0][i]), amount = m[2][i];
-        EXPECT_NEAR(colors[i].x, (1 - amount) * m[0][i] + amount * (hollow + m[1][i]), 1e-12);
+        const double curved = m[0][i].value, amount = m[2][i].value;
+        const double worn = std::max(0.0, -curved) + m[1][i].value;
+        EXPECT_NEAR(colors[i].x, (1 - amount) * curved + amount * worn, 1e-12);
     }
 }
 
-TEST(GraphMasks, SlopesOfProductsAreMaskTimesSlope) {
+TEST(GraphMasks, SlopesOfProductsFollowTheProductRule) {
     const TextureGraph graph = graph_of(R"({"node": "slope", "direction": [0, 2, 0],
         "input": {"node": "multiply", "a": {"node": "part"},
                   "b": {"node": "coordinate", "direction": [0, 1.5, 0]}}})");
     const std::vector<Vec3d> points = random_points(200, 3.0, 6);
     const MaskValues m = random_masks(1, points.size());
     const std::vector<Vec3d> colors = colors_of(graph, points, m);
-    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_NEAR(colors[i].x, 3.0 * m[0][i], 1e-12);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_NEAR(colors[i].x, 3.0 * (m[0][i].value + points[i].y * m[0][i].slope.y), 1e-12);
 }
 
 TEST(GraphMasks, BatchesLongerThanOneReadTheirOwnNumbers) {
@@ -110,8 +118,8 @@ TEST(GraphMasks, BatchesLongerThanOneReadTheirOwnNumbers) {
     std::vector<GraphSample> samples(points.size());
     evaluate(points, {}, scratch, samples);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        EXPECT_EQ(samples[i].channels[0].value, m[0][i]);
-        EXPECT_EQ(samples[i].channels[0].slope, Vec3d(0.0));
+        EXPECT_EQ(samples[i].channels[0].value, m[0][i].value);
+        EXPECT_EQ(samples[i].channels[0].slope, m[0][i].slope);
     }
 }
 
@@ -140,8 +148,9 @@ TEST(GraphMasks, LightIsThatOfBothHalvesOfTheSkyAndOfTheSun) {
     const MaskValues m = random_masks(3, points.size());
     const std::vector<Vec3d> colors = colors_of(graph, points, m);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double ground = 3.0 * m[1][i] * points[i].x, sun = 0.5 * m[2][i] * 128.0 / 255.0;
-        EXPECT_NEAR(colors[i].x, 3.0 * m[0][i] + ground, 1e-6);
+        const double ground = 3.0 * m[1][i].value * points[i].x;
+        const double sun = 0.5 * m[2][i].value * 128.0 / 255.0;
+        EXPECT_NEAR(colors[i].x, 3.0 * m[0][i].value + ground, 1e-6);
         EXPECT_NEAR(colors[i].y, ground + sun, 1e-6);
         EXPECT_NEAR(colors[i].z, ground, 1e-6);
     }
@@ -157,7 +166,8 @@ TEST(GraphMasks, TextureCoordinatesAreAPoint) {
     const MaskValues m = random_masks(2, points.size());
     const std::vector<Vec3d> colors = colors_of(graph, points, m);
     for (std::size_t i = 0; i < points.size(); ++i)
-        EXPECT_LT(glm::distance(colors[i], Vec3d(2.0 * m[0][i], 4.0 * m[1][i], 0.0)), 1e-12);
+        EXPECT_LT(glm::distance(colors[i], Vec3d(2.0 * m[0][i].value, 4.0 * m[1][i].value, 0.0)),
+                  1e-12);
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ std::vector<RecipeLeaf> leaves_of(const std::string& recipe,
 
 std::vector<ParameterGroup> groups_of(const std::string& recipe,
                                       const std::vector<std::string>& settings = {}) {
-    return parameter_groups(leaves_of(recipe, settings));
+    const Json json = slider_json(load_recipe(recipe, settings));
+    return parameter_groups(recipe_leaves(json), node_words(json));
 }
 
 std::vector<std::string> keys(const std::vector<RecipeLeaf>& leaves) {
@@ -59,20 +60,21 @@ TEST(ParameterGroups, HoldEveryLeafOfEveryPresetOnce) {
 
 TEST(ParameterGroups, NameNodesAndNumbersInWords) {
     const auto marble = groups_of("marble");
-    EXPECT_EQ(group_title(marble, "texture"), "Colours");
-    EXPECT_EQ(group_title(marble, "texture.top.input"), "Colours: top input");
-    EXPECT_EQ(number_label(marble, "solid.scale"), "Scale and place: scale");
-    EXPECT_EQ(number_label(marble, "solid.translate.1"), "Scale and place: move y");
-    EXPECT_EQ(number_label(marble, "texture.input.noise.0.gain"), "Noise 1: roughness");
-    EXPECT_EQ(number_label(marble, "texture.stops.2.0"), "Colours: stop 3, place");
-    EXPECT_EQ(number_label(marble, "nowhere"), "nowhere");
+    const NodeWords words = node_words(slider_json(load_recipe("marble")));
+    EXPECT_EQ(map_title(words, "texture"), "Colours");
+    EXPECT_EQ(number_label(marble, words, "solid.scale"), "Scale and place: scale");
+    EXPECT_EQ(number_label(marble, words, "solid.translate.1"), "Scale and place: move y");
+    EXPECT_EQ(number_label(marble, words, "texture.input.noise.0.gain"), "Noise 1: roughness");
+    EXPECT_EQ(number_label(marble, words, "texture.stops.2.0"), "Colours: stop 3, place");
+    EXPECT_EQ(number_label(marble, words, "nowhere"), "nowhere");
     for (const char* preset : {"moonlit-sea", "cloudy-planet", "sine-marble"}) {
         const Json recipe = slider_json(load_recipe(preset));
-        const auto groups = parameter_groups(recipe_leaves(recipe));
+        const NodeWords names = node_words(recipe);
+        const auto groups = parameter_groups(recipe_leaves(recipe), names);
         for (const std::string& path : color_map_paths(recipe))
-            EXPECT_NE(group_title(groups, path).find("olour"), std::string::npos) << path;
+            EXPECT_NE(map_title(names, path).find("olour"), std::string::npos) << path;
         for (const RecipeNumber& number : recipe_numbers(recipe))
-            EXPECT_NE(number_label(groups, number.path), number.path);
+            EXPECT_NE(number_label(groups, names, number.path), number.path);
     }
 }
 
@@ -109,10 +111,12 @@ TEST(ParameterGroups, NameNumbersOfEveryOtherPresetByTheirPaths) {
             if (number.path.find(".stops.") == std::string::npos) paths.insert(number.path);
     for (const std::string& name : names_of_presets()) {
         const auto groups = groups_of(name);
-        const auto numbers = recipe_numbers(slider_json(load_recipe(name)));
+        const Json recipe = slider_json(load_recipe(name));
+        const auto numbers = recipe_numbers(recipe);
         for (const std::string& path : paths) {
             const bool there = std::ranges::count(numbers, path, &RecipeNumber::path) > 0;
-            EXPECT_EQ(number_label(groups, path) == path, !there) << name << " " << path;
+            EXPECT_EQ(number_label(groups, node_words(recipe), path) == path, !there)
+                << name << " " << path;
         }
     }
 }
@@ -122,7 +126,7 @@ TEST(ParameterGroups, WhatIsNoNumberIsNamedByItsPath) {
     for (const char* path : {"solid.translate.3", "solid.translate.x", "solid.translate.",
                              "solid.scale.0", "texture.stops.x.0", "texture.stops.0",
                              "texture.stops..0", "texture.stops.99999999999999999999.0", ""})
-        EXPECT_EQ(number_label(groups, path), path);
+        EXPECT_EQ(number_label(groups, {}, path), path);
 }
 
 TEST(ParameterGroups, ShowWhatTheKindOfNoiseKnows) {
@@ -139,14 +143,24 @@ TEST(ParameterGroups, ShowWhatTheKindOfNoiseKnows) {
     EXPECT_FALSE(has(first("perlin"), "fade"));
 }
 
-TEST(ParameterGroups, TellLikeNodesApartByTheirPlace) {
-    const auto groups = groups_of("cloudy-planet");
-    std::set<std::string> titles;
-    for (const ParameterGroup& group : groups)
-        EXPECT_TRUE(titles.insert(group.title).second) << group.title;
-    EXPECT_TRUE(titles.contains("Smoothstep: opacity of layer over"));
-    EXPECT_TRUE(titles.contains("Warp in transform"));
-    EXPECT_TRUE(titles.contains("Scale and place"));
+TEST(ParameterGroups, TellNodesApartByWhatTheyAreAndWhereTheyAreUsed) {
+    for (const char* recipe : {"cloudy-planet", "oak", "car-paint", "living-planet"}) {
+        std::set<std::string> titles;
+        for (const ParameterGroup& group : groups_of(recipe)) {
+            EXPECT_TRUE(titles.insert(group.title).second) << group.title;
+            EXPECT_EQ(group.title.find('.'), std::string::npos) << group.title;
+            EXPECT_EQ(group.title.find('_'), std::string::npos) << group.title;
+        }
+        EXPECT_TRUE(titles.contains("Scale and place"));
+        if (recipe == std::string("cloudy-planet")) {
+            EXPECT_TRUE(titles.contains("Smoothstep in base colour"));
+        }
+        if (recipe == std::string("oak")) {
+            EXPECT_TRUE(titles.contains("Fbm 2 in radius"));
+            EXPECT_TRUE(titles.contains("Wood (colour map)"));
+            EXPECT_TRUE(titles.contains("Add 4 in roughness"));
+        }
+    }
 }
 
 TEST(ParameterGroups, NumbersAndColoursInPlaceOfNodesHaveSliders) {

@@ -170,7 +170,7 @@ class RandomHand {
     }
 
     static constexpr std::array<const char*, 3> modifiers{"Ctrl", "Shift", "Alt"};
-    static constexpr std::array<const char*, 30> shortcuts{"Ctrl+Z",
+    static constexpr std::array<const char*, 38> shortcuts{"Ctrl+Z",
                                                            "Ctrl+Z",
                                                            "Ctrl+Y",
                                                            "Ctrl+Shift+Z",
@@ -199,15 +199,25 @@ class RandomHand {
                                                            "Enter",
                                                            "Tab",
                                                            "Ctrl+Plus",
-                                                           "Ctrl+Minus"};
+                                                           "Ctrl+Minus",
+                                                           "N",
+                                                           "Insert",
+                                                           "Insert",
+                                                           "Delete",
+                                                           "Ctrl+G",
+                                                           "Ctrl+X",
+                                                           "Shift+A",
+                                                           "Shift+B"};
     static constexpr std::array<const char*, 34> keys{
         "Left", "Right", "Up",   "Down", "Shift+Left", "Ctrl+Up", "PageUp",   "PageDown", "Home",
         "End",  "F",     "1",    "3",    "7",          "L",       "T",        "Comma",    "Period",
         "F1",   "F12",   "Tab",  "0",    "Ctrl+0",     "Ctrl+A",  "Insert",   "Shift",    "Alt",
         "Ctrl", "Q",     "Down", "Tab",  "Backspace",  "Alt+F4",  "Shift+Tab"};
-    static constexpr std::array<const char*, 16> texts{
-        "1",   "0.5",    "-3",    "1e30", "nan", "abc", "out.glb",  "out.obj",
-        "#ff", "r.json", "m.obj", "..",   ".",   "é☃",  "new.json", "x.frag"};
+    static constexpr std::array<const char*, 20> texts{
+        "1",        "0.5",     "-3",    "1e30", "nan",     "abc",
+        "out.glb",  "out.obj", "fbm",   "mix",  "add a=1", "warp octaves=99",
+        "#ff",      "r.json",  "m.obj", "..",   ".",       "é☃",
+        "new.json", "x.frag"};
 
     std::mt19937 random_;
     std::vector<std::string> files_;

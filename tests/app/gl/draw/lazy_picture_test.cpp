@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "app/bake/material.h"
 #include "app/bake/texture.h"
 #include "app/export/export.h"
+#include "app/image/image_io.h"
+#include "app/recipe/edit/images.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
@@ -139,11 +142,72 @@ TEST_F(GlLazyPictureTest, EqualsThePictureOfABakedFile) {
                 lazy.rule.direct = direct;
                 const Camera camera = orbit_camera(view, bounding_sphere(scene), lazy.picture.size);
                 EXPECT_EQ(differing(render_scene(*context, scene, camera, lazy.picture),
-                                    render_lazily(*context, pipeline, view, lazy).picture),
+                                    colors_and_alpha(
+                                        render_lazily(*context, pipeline, view, lazy).picture)
+                                        .first),
                           0u)
                     << recipe << " " << to_string(kind);
             }
         }
+}
+
+/// The scene that a bake of the pipeline's recipe to a .glb writes, without levels.
+Scene baked_material_scene(Pipeline& pipeline, const std::string& path) {
+    const Recipe& recipe = pipeline.recipe();
+    ExportOptions options;
+    if (!recipe.bump.empty())
+        options.normals = bake_normals(pipeline, NormalSpace::tangent, 8, options.crease_degrees);
+    BakedMaterial material = bake_material(pipeline, {.normals = options.normals.has_value()});
+    options.material = material_factors(recipe);
+    options.pictures = std::move(material.pictures);
+    export_scene(path, pipeline.atlas_mesh(), pipeline.atlas(), material.color, options);
+    return load_scene(path);
+}
+
+/// A material of which every channel varies, one by the mesh's shape.
+Recipe recipe_of_all_channels(const std::string& alpha) {
+    const std::string opacity = alpha == "opaque" ? "" : R"("opacity": "grain",)";
+    RecipeImages images;
+    return parse_recipe(
+        R"({"solid": {"scale": 3}, "define": {"grain": {"node": "smoothstep", "low": -1, "high": 1,
+            "input": {"node": "fbm", "octaves": 2}}, "hue": {"node": "mix", "a": "#201000",
+            "b": "#f0c0a0", "amount": "grain"}},
+        "material": {"base_color": "hue", "metallic": "grain", "roughness": "grain",
+            "occlusion": {"node": "occlusion"}, "emissive": "hue", "emissive_strength": 2,
+            "specular": "grain", "clearcoat": "grain", "clearcoat_roughness": "grain",
+            "sheen": "hue", "sheen_roughness": "grain", "transmission": "grain", "ior": 1.7,)" +
+            opacity + R"("alpha": ")" + alpha + R"(", "height": "grain"},
+        "bump": {"height": 0.02}})",
+        "m.json", {}, images);
+}
+
+/// Under a light that shows every picture of the material.
+TEST_F(GlLazyPictureTest, EqualsThePictureOfABakedMaterial) {
+    const ScratchFolder scratch;
+    context->make_current();
+    LazyOptions lazy = small_picture();
+    lazy.picture.light.light = "studio";
+    lazy.light = std::make_shared<const GlLight>(context->gl(),
+                                                 prefilter(make_environment("studio", 64), 32));
+    std::vector<Recipe> recipes{load_recipe("gold"), recipe_of_all_channels("opaque"),
+                                recipe_of_all_channels("blend"), recipe_of_all_channels("mask")};
+    for (std::size_t i = 0; i < recipes.size(); ++i) {
+        Pipeline pipeline = pipeline_of(i % 2 == 0 ? AtlasKind::patch : AtlasKind::quad, 128);
+        recipes[i].atlas = pipeline.recipe().atlas;
+        pipeline.set_recipe(recipes[i]);
+        const Scene scene = baked_material_scene(pipeline, scratch / "a.glb");
+        const View& view = views[i < 2 ? 3 : 1];
+        const Camera camera = orbit_camera(view, bounding_sphere(scene), lazy.picture.size);
+        const GlSurroundings around(context->gl(), scene, lazy.picture, lazy.light);
+        const GlScene uploaded(context->gl(), scene);
+        const LazyPicture drawn = render_lazily(*context, pipeline, view, lazy);
+        EXPECT_EQ(differing(render_picture(*context, uploaded, around, camera, lazy.picture),
+                            drawn.picture),
+                  0u)
+            << i;
+        const bool is_opaque = i < 2;
+        EXPECT_EQ(drawn.work.texels_made < drawn.work.texels_whole, is_opaque) << i;
+    }
 }
 
 /// Two balls in a line show one of them, and one ball shows a half at most.

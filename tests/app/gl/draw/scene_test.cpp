@@ -44,7 +44,8 @@ TEST_F(GlSceneTest, PiecesMakeTheWhole) {
     const PictureOptions options{{160, 120}, true, 2};
     const Camera camera = orbit_camera({}, bounding_sphere(scene), options.size);
     const GlScene at_once(context->gl(), scene);
-    const Image<Rgb8> expected = render_scene(*context, at_once, camera, options);
+    const GlSurroundings around(context->gl(), scene, options);
+    const Image<Rgba8> expected = render_picture(*context, at_once, around, camera, options);
     const auto programs = std::make_shared<GlScenePrograms>(context->gl());
     const std::vector<Mat4d> frames = unit_frames(scene);
     for (const std::size_t bytes : {std::size_t(1), std::size_t(1000), std::size_t(1) << 30}) {
@@ -52,7 +53,8 @@ TEST_F(GlSceneTest, PiecesMakeTheWhole) {
         int calls = 1;
         while (!pieces.upload(scene, bytes)) ++calls;
         EXPECT_GT(calls, bytes == 1 ? 1000 : bytes == 1000 ? 20 : 1) << bytes;
-        EXPECT_EQ(differing(render_scene(*context, pieces, camera, options), expected), 0u)
+        EXPECT_EQ(differing(render_picture(*context, pieces, around, camera, options), expected),
+                  0u)
             << bytes;
     }
 }
@@ -61,15 +63,15 @@ TEST_F(GlSceneTest, ANewSceneTakesOverThePrograms) {
     const Scene scene = two_surfaces();
     context->make_current();
     const auto programs = std::make_shared<GlScenePrograms>(context->gl());
-    const GLuint program = programs->use({false, true, false, false, true}).get();
+    const GLuint program = programs->use({.lit = true, .in_blocks = true}).get();
     const std::vector<Mat4d> frames = unit_frames(scene);
     for (int round = 0; round < 2; ++round) {
         GlScene drawn(context->gl(), scene, programs, frames);
         while (!drawn.upload(scene, 4096)) {
         }
-        EXPECT_EQ(programs->use({false, true, false, false, true}).get(), program);
+        EXPECT_EQ(programs->use({.lit = true, .in_blocks = true}).get(), program);
     }
-    EXPECT_NE(programs->use({true, true, false, false, true}).get(), program);
+    EXPECT_NE(programs->use({.encoded = true, .lit = true, .in_blocks = true}).get(), program);
 }
 
 }  // namespace

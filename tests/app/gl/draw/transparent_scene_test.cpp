@@ -124,7 +124,8 @@ void expect_file_like_truth(const test::Scratch& scratch, const std::string& ext
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     };
     const auto picture = [&](const std::string& what, const std::string& name) {
-        run(fmt::format("render {} --size 200x150 -o '{}'", what, scratch / name));
+        run(fmt::format("render {} --light headlight --size 200x150 -o '{}'", what,
+                        scratch / name));
         return read_png(scratch / name);
     };
     run(fmt::format("bake sample:teapot -o '{}' --recipe '{}' --size 512", file, recipe));

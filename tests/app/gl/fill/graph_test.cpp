@@ -141,6 +141,8 @@ constexpr std::array slope_cases{
         "amount": {"node": "fbm", "seed": 3}})"},
     GraphCase{"bilerp", R"({"node": "bilerp", "v00": 0.1, "v01": {"node": "fbm"}, "v10": 0.7,
         "v11": 2})"},
+    GraphCase{"blend", R"({"node": "blend", "mode": "overlay", "top": {"node": "fbm"},
+        "base": {"node": "add", "a": 0.5, "b": {"node": "fbm", "seed": 9}}, "mask": 0.7})"},
     GraphCase{"checkerboard", R"({"node": "checkerboard", "a": {"node": "fbm"}, "b": 0.5})"},
     GraphCase{"checkerboard_3d",
               R"({"node": "checkerboard_3d", "a": {"node": "fbm"}, "aa": "trapezoid"})"},

@@ -1,0 +1,53 @@
+#pragma once
+// Light of an environment that points of surfaces send to the eye, summed over directions drawn
+// from both the environment and the surface (Veach and Guibas, "Optimally Combining Sampling
+// Techniques for Monte Carlo Rendering", 1995), as far as nothing stands in their way. Light that
+// other surfaces send on is left out: what is blocked is dark.
+#include <cstdint>
+#include <optional>
+
+#include "app/direct/blockers.h"
+#include "app/light/brdf.h"
+#include "app/light/light_sampler.h"
+
+namespace burl {
+
+/// Which directions a point takes: the points of one pixel share a seed and take different parts of
+/// one sequence.
+struct LightDraw {
+    std::uint64_t seed = 0;
+    int part = 0;
+};
+
+/// A point that light falls on, in scene coordinates.
+struct LitPoint {
+    Vec3d place{0.0};             ///< where rays begin, off the surface on the side that is seen
+    Vec3d normal{0.0, 1.0, 0.0};  ///< unit, with bumps, on the side that is seen
+    Vec3d smooth{0.0, 1.0, 0.0};  ///< unit, without bumps: no light is reflected from behind it
+    Vec3d view{0.0, 1.0, 0.0};    ///< unit, towards the eye
+};
+
+/// An environment, what blocks its light, and how many directions are summed.
+class TracedLight {
+  public:
+    /// `rays` directions per point; 0 shades by the prefiltered environment, without shadows, as
+    /// OpenGL does. Nothing blocks light where `blockers` is null, which must outlive this object.
+    TracedLight(Environment environment, int rays, const Blockers* blockers);
+
+    /// Light from the point to the eye.
+    Vec3d operator()(const ShadedPoint& material, const LitPoint& at, const LightDraw& draw) const;
+
+    /// The share of an upward plane's light that does not reach it at a point.
+    double shadow(const Vec3d& place, const LightDraw& draw) const;
+
+  private:
+    bool reaches(const LitPoint& at, const Vec3d& light) const;
+    Vec3d summed(const ShadedPoint& material, const LitPoint& at, const LightDraw& draw) const;
+
+    LightSampler light_;
+    int rays_;
+    const Blockers* blockers_;
+    std::optional<PrefilteredLight> prefiltered_;
+};
+
+}  // namespace burl

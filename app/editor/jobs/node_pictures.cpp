@@ -1,0 +1,66 @@
+#include "app/editor/jobs/node_pictures.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/edit/look.h"
+#include "app/editor/jobs/thumbnails.h"
+#include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/error.h"
+
+namespace burl {
+
+namespace {
+
+constexpr std::size_t most_drawn = 600;  // pictures kept, of some 12 KB each
+
+}  // namespace
+
+NodePictures::NodePictures(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+void NodePictures::request(const Recipe& recipe, const std::vector<std::string>& places, int side) {
+    const auto shared = std::make_shared<const Recipe>(recipe);
+    for (const std::string& place : places)
+        jobs_.add([this, shared, place, side](const std::stop_token& stop) {
+            if (!stop.stop_requested()) make(*shared, place, side);
+        });
+}
+
+NodePictures::Picture NodePictures::picture(const std::string& place) const {
+    const std::scoped_lock lock(mutex_);
+    const auto found = places_.find(place);
+    return found == places_.end() ? nullptr : found->second;
+}
+
+NodePictures::Picture NodePictures::known(const std::string& key) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = drawn_.find(key);
+    return found == drawn_.end() ? nullptr : found->second;
+}
+
+void NodePictures::make(const Recipe& recipe, const std::string& place, int side) {
+    std::string key;
+    Picture picture;
+    try {
+        Recipe look = look_at(recipe, place).recipe;
+        look.name.clear();
+        look.about.clear();
+        look.atlas = {};
+        key = fmt::format("{} {}", side, to_json(look));
+        picture = known(key);
+        // Averages would be grey where a node is finer than the ball's pixels.
+        if (!picture)
+            picture = std::make_shared<const Image<Rgb8>>(ball_picture(look, side, "none"));
+    } catch (const Error&) {  // a node that cannot be drawn by itself has no picture
+    }
+    {
+        const std::scoped_lock lock(mutex_);
+        places_[place] = picture;
+        if (drawn_.size() >= most_drawn) drawn_.clear();
+        if (picture) drawn_[key] = std::move(picture);
+    }
+    wake_();
+}
+
+}  // namespace burl

@@ -1,0 +1,51 @@
+#pragma once
+// Pictures of what the nodes of a graph give, each on a ball, drawn beside the user interface.
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "app/editor/jobs/worker.h"
+#include "app/recipe/recipe.h"
+#include "atlas/base/image.h"
+
+namespace burl {
+
+/// Draws and keeps the pictures of one recipe's nodes. All functions may be called by one thread.
+class NodePictures {
+  public:
+    using Picture = std::shared_ptr<const Image<Rgb8>>;
+
+    /// `wake` is called by the drawing thread after every picture.
+    explicit NodePictures(std::function<void()> wake);
+
+    /// Asks for pictures of the nodes at places of `recipe`, side x side pixels. A picture that is
+    /// there already is not drawn again.
+    void request(const Recipe& recipe, const std::vector<std::string>& places, int side);
+    /// Drops what was asked for and is not drawn yet.
+    void cancel() { jobs_.cancel(); }
+    /// The newest picture for a place; null: none is drawn yet, or the node cannot be drawn by
+    /// itself, as masks cannot.
+    Picture picture(const std::string& place) const;
+
+    /// While held, no picture is begun.
+    void hold(bool held) { jobs_.hold(held); }
+    bool idle() const { return jobs_.idle(); }
+    void wait() const { jobs_.wait(); }
+
+  private:
+    void make(const Recipe& recipe, const std::string& place, int side);
+    Picture known(const std::string& key);
+
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    // `mutex_` guards places_ and drawn_.
+    std::map<std::string, Picture> places_;  ///< pictures by places
+    std::map<std::string, Picture> drawn_;   ///< pictures by side and JSON of what they show
+    JobQueue jobs_;                          ///< last member: its thread uses all the others
+};
+
+}  // namespace burl

@@ -1,0 +1,70 @@
+// The list of the history's steps, and the states kept to compare with.
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/editor/panels/panels.h"
+
+namespace burl {
+
+namespace {
+
+/// The row of a state: keep it, go back to it, forget it.
+void kept_state(const PanelContext& context, std::size_t index) {
+    constexpr std::array states{"A", "B"};
+    std::optional<Recipe>& kept = context.session.kept[index];
+    const std::string name = states[index];
+    ImGui::PushID(name.c_str());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::SameLine();
+    if (ImGui::Button("keep this")) kept = context.session.recipe();
+    context.items.note("keep:" + name);
+    if (kept) {
+        ImGui::SameLine();
+        if (ImGui::Button("go back to it"))
+            context.session.build([&](const Recipe&) {
+                return GraphEdit{*kept, fmt::format("go back to {}", name), ""};
+            });
+        context.items.note("back to:" + name);
+        ImGui::SameLine();
+        if (ImGui::Button("forget")) kept.reset();
+        context.items.note("forget:" + name);
+    } else {
+        ImGui::SameLine();
+        ImGui::TextDisabled("nothing kept");
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void steps_panel(const PanelContext& context) {
+    EditHistory& history = context.session.history();
+    for (std::size_t i = 0; i < context.session.kept.size(); ++i) kept_state(context, i);
+    ImGui::TextDisabled("The key A shows them one after the other.");
+    ImGui::Separator();
+    if (ImGui::BeginChild("steps")) {
+        for (std::size_t i = 0; i < history.step_count(); ++i) {
+            const bool present = i == history.step();
+            const bool undone = i > history.step();
+            if (undone)
+                ImGui::PushStyleColor(ImGuiCol_Text,
+                                      ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+            const std::string words = fmt::format("{}  {}##{}", i, history.words(i), i);
+            const bool clicked = ImGui::Selectable(words.c_str(), present);
+            if (undone) ImGui::PopStyleColor();
+            context.items.note(fmt::format("step:{}", i));
+            if (clicked) {
+                history.return_to(i);
+                break;
+            }
+        }
+        if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1.0f);
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace burl

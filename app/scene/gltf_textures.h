@@ -1,0 +1,47 @@
+#pragma once
+// Textures of a glTF file as those of a scene: PNG images with their samplers and the MIP levels
+// that Burl wrote beside them.
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/image/image_io.h"
+#include "app/scene/scene.h"
+
+namespace tinygltf {
+class Model;
+struct Texture;
+}  // namespace tinygltf
+
+namespace burl {
+
+/// Loads textures of a file at their first use.
+class GltfTextures {
+  public:
+    /// `model` and `textures`, to which the textures are added, must outlive the object; `path`
+    /// names the file in messages.
+    GltfTextures(const tinygltf::Model& model, const std::string& path,
+                 std::vector<SceneTexture>& textures)
+        : model_(model), path_(path), textures_(textures) {}
+
+    /// The index in the scene of glTF texture `number`, which must exist, as colour or as data.
+    /// Throws Error: io for an image that is not there, unsupported for one that is no PNG,
+    /// invalid_file for a damaged one.
+    int load(int number, bool is_color);
+    /// Whether glTF texture `number` exists and its image is a PNG that is there.
+    bool has_png(int number) const;
+
+  private:
+    PngColors image(int number) const;
+    void add_levels(SceneTexture& texture, const tinygltf::Texture& source) const;
+
+    const tinygltf::Model& model_;
+    const std::string& path_;
+    std::vector<SceneTexture>& textures_;
+    /// Scene textures by glTF texture and use as colour.
+    std::map<std::pair<int, bool>, int> loaded_;
+};
+
+}  // namespace burl

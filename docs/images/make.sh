@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Makes all pictures of README.md and docs/guide/ anew, by Burl itself; those of materials are Blender's (materials.sh).
+#   docs/images/make.sh build/release/bin            all of them
+#   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials
+# Debian's packages netpbm (atlases, bumps), webp (tour, materials) and blender (materials) are needed.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+bin=$(cd "${1:?the folder of the programs is missing, such as build/release/bin}" && pwd)
+shift
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+burl=$bin/burl
+
+teapot() { # README, docs/guide/first-bake.md
+    local recipe=(--recipe wood --set solid.scale=9 --filter trapezoid --quiet)
+    "$burl" bake sample:teapot -o "$scratch/teapot.glb" "${recipe[@]}" --size 1024
+    "$burl" render "$scratch/teapot.glb" -o "$here/readme-teapot.png" --view 25,24,2.6 --size 480x360 --supersample 3
+    "$burl" bake sample:teapot -o "$scratch/readme-atlas.png" "${recipe[@]}" --size 256
+    cp "$scratch/readme-atlas.png" "$here" # without the record of the bake
+}
+
+atlases() { # docs/guide/atlases.md, docs/reference/atlases.md
+    "$burl" metrics sample:teapot --atlas all --levels --size 512 --image "$scratch/teapot" >"$scratch/metrics"
+    local kind
+    for kind in {area,quad,patch}-{charts,levels} {area,patch}-scale; do
+        pngtopnm "$scratch/teapot-$kind.png" | pamscale 0.5 | pnmquant -quiet 256 | pnmtopng -compression 9 >"$here/$kind.png"
+    done
+}
+
+bumps() { # docs/guide/bumps.md, docs/reference/bump.md
+    local mesh recipe size view
+    while read -r mesh recipe size view; do
+        "$burl" render "sample:$mesh" --lazy --recipe "$recipe" --view "$view" --size "$size" --supersample 3 -o "$scratch/$mesh.png"
+    done <<<'teapot hammered 240x180 30,20,2.6
+torus orange-peel 210x180 30,40,3.2
+king carved-wood 90x180 30,15,3.5'
+    "$burl" bake sample:teapot -o "$scratch/hammered.png" --recipe hammered --size 512 --quiet
+    pngtopnm "$scratch/hammered_normal.png" | pamcut -left 160 -top 160 -width 90 -height 180 >"$scratch/normals.ppm"
+    local picture
+    for picture in teapot torus king; do pngtopnm "$scratch/$picture.png" >"$scratch/$picture.ppm"; done
+    pnmcat -lr "$scratch"/{teapot,torus,king,normals}.ppm | pnmtopng -compression 9 >"$here/bumps.png"
+}
+
+turntable() { # docs/guide/pictures.md
+    "$burl" render sample:bust --lazy --recipe malachite --turntable 36 --fps 18 --size 240x320 --view 30,12,3.4 \
+        --quality 80 -o "$here/turntable.webp"
+}
+
+sheet() { # docs/guide/pictures.md
+    "$burl" render sample:bust --lazy --recipes 'oak,walnut,carrara,nero-marquina,granite-*,malachite,lapis' --columns 4 --size 200x250 \
+        --view 30,12,3.4 --supersample 3 -o "$here/sheet.webp"
+}
+
+editor() { # README, docs/guide/textures.md, docs/guide/editor.md
+    "$bin/burl-edit" --unseen --script "$here/editor.json" --screenshot-dir "$here" --exit
+}
+
+tour() { # README, docs/guide/editor.md
+    mkdir "$scratch/tour"
+    "$bin/burl-edit" --unseen --script "$here/editor-tour.json" --screenshot-dir "$scratch/tour" --exit
+    img2webp -loop 0 -lossy -q 70 -d 130 "$scratch"/tour/0*.png -o "$here/editor-tour.webp" >"$scratch/log"
+}
+
+figures() { # README, docs/guide/figures.md
+    "$burl" figures -o "$here/../figures"
+}
+
+materials() { # README, docs/guide/materials.md
+    "$here/materials.sh" "$burl"
+}
+
+parts=(teapot atlases bumps turntable sheet editor tour figures materials)
+for part in "${@:-${parts[@]}}"; do
+    [[ " ${parts[*]} " == *" $part "* ]] || { echo "$part is no picture: name some of ${parts[*]}" >&2; exit 1; }
+    echo "$part"
+    "$part"
+done
