@@ -59,6 +59,7 @@ void FileDialog::open(Wish wish) {
 void FileDialog::go_to(const std::string& folder) {
     folder_ = folder;
     problem_.clear();
+    begins_ = true;
 }
 
 /// Draws the folder's path, each part of which leads there.
@@ -248,7 +249,7 @@ void FileDialog::answers(EditItems& items) {
     accepted_ |= main_button(wish_.verb ? wish_.verb : wish_.saves ? "Save" : "Open");
     items.note("file ok");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel") || pressed("Escape")) open_ = false;
+    if (ImGui::Button("Cancel") || (pressed("Escape") && !had_popup_)) open_ = false;
     items.note("file cancel");
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, palette().hint);
@@ -282,6 +283,7 @@ std::optional<std::string> FileDialog::show(EditItems& items) {
         answers(items);
         if (accepted_) path = agreed();
         accepted_ = false;
+        had_popup_ = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
     }
     ImGui::End();
     if (path) open_ = false;

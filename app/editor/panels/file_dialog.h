@@ -69,7 +69,8 @@ class FileDialog {
     std::optional<std::string> made_;    ///< name of a folder to make, while it is typed
     std::string problem_;                ///< why no folder was made
     bool open_ = false, accepted_ = false, agreed_ = false;
-    bool begins_ = false;  ///< whether the keyboard's focus goes to the name in the next frame
+    bool had_popup_ = false;  ///< whether the last frame had a list open, which Escape closes first
+    bool begins_ = false;     ///< whether the keyboard's focus goes to the name in the next frame
 };
 
 }  // namespace burl

@@ -20,6 +20,7 @@ namespace {
 constexpr double narrow = 64.0;  // width of the widest range shown as a whole
 // Reach of a wider range's slider to both sides of the default, in the parameter's steps.
 constexpr double steps_about = 40;
+constexpr double most_widened = 4.0;  // of a range that stays where a slider was left
 
 void merge(ValueEdit& into, const ValueEdit& more) {
     if (more.began || more.value) into.item = more.item;
@@ -73,7 +74,9 @@ std::optional<double> default_of(const Parameter& parameter, std::size_t item) {
 double resting_value(const Parameter& parameter, const Json* opened, std::size_t item,
                      double value) {
     const auto first = opened ? number_in(*opened, item) : std::nullopt;
-    return first && *first != value ? *first : default_of(parameter, item).value_or(value);
+    // Values are compared as they are kept between the clicks.
+    const bool there = first && float(*first) == float(value);
+    return first && !there ? *first : default_of(parameter, item).value_or(value);
 }
 
 SliderRange usual_range(const Parameter& parameter) {
@@ -89,25 +92,34 @@ double snapped(const Parameter& parameter, double value) {
 }
 
 /// Returns the slider's range, which follows the value, except while the slider is dragged, when it
-/// would run away from the pointer, and at a value beyond the usual range that was dragged to, when
-/// the handle would jump.
+/// would run away from the pointer, and at a value that was dragged to, when the handle would jump;
+/// but back at a usual value a range that a typed number made huge is the usual one again.
 SliderRange held_range(const char* shown, const Parameter& parameter, double value) {
     const SliderRange range = slider_range(parameter, value), usual = usual_range(parameter);
     ImGuiStorage& kept = *ImGui::GetStateStorage();
     const auto id = [&](const char* what) {
         return ImGui::GetID(fmt::format("{} {}", shown, what).c_str());
     };
+    const SliderRange held{double(kept.GetFloat(id("low"))), double(kept.GetFloat(id("high")))};
+    const bool huge = held.high - held.low > most_widened * (usual.high - usual.low);
     const bool beyond = value < usual.low || value > usual.high;
     const float left = kept.GetFloat(id("left"), std::numeric_limits<float>::quiet_NaN());
     if (ImGui::GetActiveID() == ImGui::GetID(shown)) {
         kept.SetFloat(id("left"), float(value));
-        return {double(kept.GetFloat(id("low"))), double(kept.GetFloat(id("high")))};
+        return held;
     }
-    if (beyond && left == float(value))
-        return {double(kept.GetFloat(id("low"))), double(kept.GetFloat(id("high")))};
+    if (left == float(value) && (beyond || !huge)) return held;
     kept.SetFloat(id("low"), float(range.low));
     kept.SetFloat(id("high"), float(range.high));
     return range;
+}
+
+/// Returns the value before the first click of a double click, which moves the slider itself.
+double value_clicked(const char* shown, double value, bool began) {
+    ImGuiStorage& kept = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(fmt::format("{} clicked", shown).c_str());
+    if (began && !ImGui::IsMouseDoubleClicked(0)) kept.SetFloat(id, float(value));
+    return double(kept.GetFloat(id));
 }
 
 /// Draws a slider for one number, named `shown` for ImGui.
@@ -118,8 +130,9 @@ ValueEdit edit_number(const Parameter& parameter, std::size_t item, double value
     double moved = value;
     slide(shown, moved, range, row.scale, whole ? "%.0f" : "%.4g");
     ValueEdit edit = gesture();
+    const double clicked = value_clicked(shown, value, edit.began);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
-        moved = resting_value(parameter, row.opened, item, value);
+        moved = resting_value(parameter, row.opened, item, clicked);
         ImGui::ClearActiveID();  // keeps the slider from following the pointer again
         edit.began = edit.ended = true;
     }

@@ -332,7 +332,7 @@ TEST_F(GlEditEaseTest, ADialogKnowsHomePlacesAndNewFolders) {
 /// At any size of text every widget of the timeline is within its panel.
 TEST_F(GlEditEaseTest, TheTimelineFitsWithLargeText) {
     const auto editor = start("forming-marble");
-    play(*editor, R"({"key": "K"}, {"wait": 2})");
+    play(*editor, R"({"resize": [1280, 800]}, {"key": "K"}, {"wait": 2})");
     for (const int steps : {0, 3, 2}) {
         for (int i = 0; i < steps; ++i) play(*editor, R"({"key": "Ctrl+Plus"})");
         play(*editor, R"({"wait": 4})");
@@ -344,7 +344,7 @@ TEST_F(GlEditEaseTest, TheTimelineFitsWithLargeText) {
             ASSERT_TRUE(rect) << item;
             EXPECT_LE(rect->high.x, object.high.x) << item;
             EXPECT_GE(rect->low.y, object.high.y) << item;
-            EXPECT_LE(rect->high.y, 640.0) << item;
+            EXPECT_LE(rect->high.y, 800.0) << item;
         }
     }
 }

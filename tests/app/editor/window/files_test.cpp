@@ -211,8 +211,10 @@ TEST_F(GlEditFilesTest, ExportsWhatTheCommandInTheLogWrites) {
     const auto editor = open("sample:cube", folder / "r.json");
     play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2},
         {"drag": "texture.input.noise.0.amplitude", "by": [30, 0]}, {"settle": true})");
+    bool chosen = false;  // what was chosen for the last export is offered for the next
     const auto exported = [&](const std::string& name, bool levels) {
-        const std::string choice = levels ? R"({"click": "file choice"},)" : "";
+        const std::string choice = levels != chosen ? R"({"click": "file choice"},)" : "";
+        chosen = levels;
         play(*editor, R"({"key": "Ctrl+E"}, {"wait": 2},)" + choice +
                           R"({"double_click": "file name"}, {"key": "Ctrl+A"}, {"type": ")" +
                           (folder / name) + R"("}, {"wait": 2}, {"click": "file ok"},

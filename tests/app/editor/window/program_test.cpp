@@ -52,7 +52,7 @@ TEST_F(GlEditProgramTest, SlidersTakeTypedNumbersAndGoBackToTheirDefault) {
         {"events": [{"key": "Ctrl", "down": false}]}, {"type": "2.5"}, {"key": "Enter"})");
     EXPECT_EQ(editor->session().recipe().solid.scale, 2.5);
     play(*editor, R"({"wait": 30}, {"double_click": "solid.scale"}, {"wait": 2})");
-    EXPECT_EQ(editor->session().recipe().solid.scale, 1.0);
+    EXPECT_EQ(editor->session().recipe().solid.scale, load_recipe("marble").solid.scale);
 }
 
 TEST_F(GlEditProgramTest, StopsAreAddedMovedAndDeleted) {
@@ -212,7 +212,7 @@ TEST_F(GlEditProgramTest, AWindowOfAnyWidthIsDrawn) {
     std::string sizes = R"({"resize": [64, 202]})";
     for (int width = 65; width < 200; ++width)
         sizes += fmt::format(R"(, {{"resize": [{}, 202]}})", width);
-    for (const char* tab : {"Presets", "Colours"}) {
+    for (const char* tab : {"Library", "Colours"}) {
         play(*editor, fmt::format(R"({{"resize": [800, 640]}}, {{"wait": 2}},
                                      {{"click": "tab:{}"}}, {{"wait": 2}})",
                                   tab));
