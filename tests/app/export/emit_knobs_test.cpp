@@ -270,7 +270,6 @@ TEST(GlEmitKnobs, UniformsSayWhatTheyAre) {
     EXPECT_THAT(text, HasSubstr("#ffffff in sRGB\n"
                                 "uniform vec3 knob_spots_per_m_2 = vec3(1.0, 1.0, 1.0);\n"));
     EXPECT_THAT(text, HasSubstr("uniform vec3 knob = vec3(0.0, 0.0, 0.0);\n"));
-    EXPECT_THAT(text, HasSubstr("split_points(knob_spots_per_m * solid"));
 }
 
 TEST(GlEmitKnobs, WhatNeedsAnotherShaderStaysAndIsNamed) {
