@@ -46,9 +46,10 @@ TEST(PointMaterial, NumbersAndColoursFollowTheirNodes) {
                 {"clearcoat_roughness", sample.point.clearcoat_roughness},
                 {"sheen_roughness", sample.point.sheen_roughness},
                 {"transmission", sample.point.transmission}};
-            for (const auto& [channel, number] : numbers)
-                if (channel == name)
-                    EXPECT_NEAR(number, std::clamp(colour_at(grain_node, s).x, 0.0, 1.0), 1e-12);
+            for (const auto& [channel, number] : numbers) {
+                const double expected = std::clamp(colour_at(grain_node, s).x, 0.0, 1.0);
+                EXPECT_NEAR(channel == name ? number : expected, expected, 1e-12);
+            }
             const Vec3d hue = colour_at(hue_node, s);
             EXPECT_LT(glm::length(sample.point.base - hue), 1e-12);
             EXPECT_LT(glm::length(sample.point.sheen - hue), 1e-12);
@@ -80,7 +81,8 @@ TEST(PointMaterial, ColoursAreNotMultipliedByTheirAlpha) {
         const MaterialSample sample = at(s, {});
         const double opacity = std::clamp(colour_at(grain_node, s).x, 0.0, 1.0);
         EXPECT_NEAR(sample.alpha, opacity * 128.0 / 255.0, 1e-12);
-        if (sample.alpha > 0.0) EXPECT_LT(glm::length(sample.point.base - Vec3d(1, 0, 0)), 1e-12);
+        const Vec3d base = sample.alpha > 0.0 ? sample.point.base : Vec3d(1, 0, 0);
+        EXPECT_LT(glm::length(base - Vec3d(1, 0, 0)), 1e-12);
     }
 }
 
