@@ -7,7 +7,7 @@
 #include "app/gl/draw/lazy_picture.h"
 #include "app/image/image_diff.h"
 #include "app/image/image_io.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 #include "app/surface/sample_meshes.h"
 #include "tests/app/editor/window/fixture.h"
 
