@@ -292,13 +292,12 @@ class KnobSearch {
         samples_.assign(dials_.size(), {});
         corners_.clear();
         laws_.clear();
-        bool complete = true;
         for (std::size_t d = 0; d < dials_.size(); ++d) {
             if (!turns(d) || sample(d)) continue;
-            keep(dials_[d].knob);
-            complete = false;
+            keep(dials_[d].knob);  // the others may have failed for this one's value alone
+            return false;
         }
-        if (!complete) return false;
+        bool complete = true;
         for (std::size_t number = 0; number < base_.numbers.size(); ++number)
             complete = find_law_of(number) && complete;
         for (int i = 0; complete && i < joint_samples; ++i) complete = holds(i);

@@ -46,9 +46,9 @@ const Image<Pixel>* unpainted(StageContext& context, TextureCache& cache, const 
     const bool elsewhere = context.synthesizer && level == 0;
     const MaskImages read =
         elsewhere ? MaskImages() : color_masks(masks, cache.solid(), recipe, stop);
-    if (stop.stop_requested()) return nullptr;
     Image<Pixel>& image = cache.open<Pixel>();
     const bool done = context.records.attempt(Stage::synthesis, [&](StageCost& cost) {
+        if (stop.stop_requested()) return false;  // the masks are not whole then
         if (elsewhere)
             synthesize_elsewhere(context, cache.solid(), recipe, &image, cost);
         else

@@ -23,7 +23,8 @@ Recipe still_of(const Recipe& recipe, double seconds) {
 }  // namespace
 
 void TextureRequests::compare() {
-    look("");
+    looked_at_.clear();
+    look_.reset();
     const auto& kept = session_.kept;
     const bool any = kept[0] || kept[1];
     std::size_t next = compared_with_ ? *compared_with_ + 1 : any ? 0 : opened;

@@ -52,7 +52,8 @@ Image<Rgb8> ball_picture(const Recipe& recipe, int side, const std::string& filt
     options.scene = "sample:icosphere";
     options.view = fmt::format("50,25,{}", filling_distance());
     options.size = fmt::format("{}x{}", side, side);
-    options.rays = 0;
+    // An environment would have to be prefiltered for every ball.
+    options.light.light = "headlight";
     if (recipe.precision.kind != PrecisionKind::fixed) options.filter = filter;
     return DirectPicture(options)({recipe, {}});
 }

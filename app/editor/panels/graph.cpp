@@ -128,13 +128,17 @@ bool EditGraph::shortcuts(const PanelContext& context, const GraphHooks& hooks) 
         return true;
     };
     const auto add = [&] { open_search(GraphSearch::Purpose::add, current); };
-    return on("Insert", add) || on("Tab", add) || on("Space", add) ||
-           on("Delete", [&] { erase(session); }) || on("Backspace", [&] { erase(session); }) ||
-           on("Enter", [&] { look(hooks); }) || on("Ctrl+C", [&] { copy(session, hooks); }) ||
+    const auto remove = [&] {
+        if (hooks.looking_at == current) hooks.look("");
+        erase(session);
+    };
+    return on("Insert", add) || on("Tab", add) || on("Space", add) || on("Delete", remove) ||
+           on("Backspace", remove) || on("Enter", [&] { look(hooks); }) ||
+           on("Ctrl+C", [&] { copy(session, hooks); }) ||
            on("Ctrl+X",
               [&] {
                   copy(session, hooks);
-                  erase(session);
+                  remove();
               }) ||
            on("Ctrl+V", [&] { paste(session, hooks); }) || on("Ctrl+G", [&] { group(session); }) ||
            on("Up", [&] { step_tree(-1); }) || on("Down", [&] { step_tree(1); }) ||

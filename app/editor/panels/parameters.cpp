@@ -107,9 +107,12 @@ void parameters_panel(const PanelContext& context, bool posed) {
     // A material's controls are the knobs; what they set is there for those who want it.
     const bool knobs = !context.session.recipe().controls.empty();
     const Json recipe = slider_json(context.session.still());
-    for (const ParameterGroup& group : parameter_groups(recipe_leaves(recipe), node_words(recipe)))
-        if (posed || group.name != "pose")
-            shown.group(group, !knobs || group.name == "pose" || group.name == "solid");
+    const auto groups = parameter_groups(recipe_leaves(recipe), node_words(recipe));
+    // Whoever opens a pose wants its weight next.
+    for (const ParameterGroup& group : groups)
+        if (posed && group.name == "pose") shown.group(group, true);
+    for (const ParameterGroup& group : groups)
+        if (group.name != "pose") shown.group(group, !knobs || group.name == "solid");
 }
 
 }  // namespace burl

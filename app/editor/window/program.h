@@ -33,8 +33,9 @@ namespace burl {
 struct EditorOptions {
     std::string mesh = "sample:teapot", recipe = "marble";
     std::vector<std::string> settings{};
-    /// The light of the object: a built-in environment, "headlight", or "auto": studio on a graphics
-    /// processor, headlight where OpenGL is software, which takes four times as long for the former.
+    /// The light of the object: a built-in environment, "headlight", or "auto": studio on a
+    /// graphics processor, headlight where OpenGL is software, which takes four times as long for
+    /// the former.
     std::string light = "auto";
     double ui_scale = 1.0;
     /// Path of the autosave file (app/editor/session/autosave.h); empty: none.

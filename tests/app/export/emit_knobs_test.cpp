@@ -275,7 +275,7 @@ TEST(GlEmitKnobs, UniformsSayWhatTheyAre) {
 TEST(GlEmitKnobs, WhatNeedsAnotherShaderStaysAndIsNamed) {
     const Recipe recipe = controlled(
         R"({"name": "detail", "range": [1, 9], "sets": ["texture.input.noise.0.octaves"]},
-                      {"name": "spots", "range": [1, 8], "sets": ["texture.input.noise.0.frequency.0"]})");
+                      {"name": "spots", "range": [0.5, 8], "sets": ["texture.input.noise.0.frequency.0"]})");
     const EmittedShader shader = emit_glsl(recipe, {});
     EXPECT_THAT(shader.notes,
                 testing::ElementsAre("the shader's \"detail\" stays 3, since other values need "

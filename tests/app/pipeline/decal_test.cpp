@@ -29,11 +29,20 @@ std::shared_ptr<const MipImage> blotches() {
 
 constexpr double base_grey = 0.5;
 
+/// The settings of a filter, "trapezoid" or "supersample:16", before `more`.
+std::vector<std::string> with_filter(const std::string& filter, std::vector<std::string> more) {
+    const std::size_t colon = filter.find(':');
+    more.insert(more.begin(), "filter.kind=" + filter.substr(0, colon));
+    if (colon != std::string::npos)
+        more.insert(more.begin() + 1, "filter.samples=" + filter.substr(colon + 1));
+    return more;
+}
+
 Recipe decal_recipe(const std::shared_ptr<const MipImage>& image, const char* lookup,
                     const std::string& filter) {
-    Recipe recipe = mask_recipe(R"({"node": "constant"})",
-                                {"filter.kind=" + filter, "solid.space=object", "solid.scale=3",
-                                 "solid.rotate=[20,0,0]", "atlas.size=64"});
+    Recipe recipe = mask_recipe(R"({"node": "constant", "value": 0})",
+                                with_filter(filter, {"solid.space=object", "solid.scale=3",
+                                                     "solid.rotate=[20,0,0]", "atlas.size=64"}));
     recipe.texture = graph_from_json(
         nlohmann::ordered_json::parse(fmt::format(
             R"({{"node": "layer_over", "base": {}, "top": {{"node": "mesh_uv", "input":
@@ -140,8 +149,8 @@ TEST(Decals, StepsOfMasksAreSoftenedByFiltersAndSamples) {
         "input": {"node": "split", "input": {"node": "vertex_color"}}})";
     for (const char* filter : {"none", "trapezoid", "supersample:16"}) {
         Pipeline pipeline(drawn_sheet());
-        pipeline.set_recipe(mask_recipe(
-            step, {fmt::format("filter.kind={}", filter), "solid.space=object", "atlas.size=64"}));
+        pipeline.set_recipe(
+            mask_recipe(step, with_filter(filter, {"solid.space=object", "atlas.size=64"})));
         std::size_t between = 0, white = 0, black = 0;
         const Image<RgbF> picture = pipeline.synthesize<RgbF>();
         for (const RgbF& texel : picture.pixels()) {

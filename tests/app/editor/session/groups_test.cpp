@@ -157,7 +157,7 @@ TEST(ParameterGroups, TellNodesApartByWhatTheyAreAndWhereTheyAreUsed) {
         }
         if (recipe == std::string("oak")) {
             EXPECT_TRUE(titles.contains("Fbm 2 in radius"));
-            EXPECT_TRUE(titles.contains("Wood (colour map)"));
+            EXPECT_TRUE(titles.contains("Pores (smoothstep)"));
             EXPECT_TRUE(titles.contains("Add 4 in roughness"));
         }
     }

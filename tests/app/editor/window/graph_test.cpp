@@ -213,11 +213,11 @@ TEST_F(GlEditGraph, TwoKeptStatesFollowOneAnother) {
     play(*editor, R"({"click": "in:texture.b"}, {"key": "Insert"}, {"type": "marble"},
                      {"key": "Enter"}, {"wait": 2})");
     const Recipe third = editor->session().recipe();
-    play(*editor, R"({"key": "A"}, {"wait": 1})");
+    play(*editor, R"({"key": "A"}, {"wait": 4})");
     EXPECT_EQ(shown(), first);
-    play(*editor, R"({"key": "A"}, {"wait": 1})");
+    play(*editor, R"({"key": "A"}, {"wait": 4})");
     EXPECT_EQ(shown(), second);
-    play(*editor, R"({"key": "A"}, {"wait": 1})");
+    play(*editor, R"({"key": "A"}, {"wait": 4})");
     EXPECT_EQ(shown(), third);
     play(*editor, R"({"click": "tab:Steps"}, {"wait": 2}, {"click": "back to:A"}, {"wait": 2})");
     EXPECT_EQ(editor->session().recipe(), first);

@@ -77,12 +77,12 @@ TEST_F(GlEditPoseTest, AWeightMovesTheObjectAndNoTexture) {
     EXPECT_GT(different(*editor, posed), 500u);
     play(*editor, R"({"key": "Ctrl+Z"}, {"wait": 2})");
     EXPECT_EQ(editor->session().recipe().pose.weight, 1.0);
-    EXPECT_EQ(settled(*editor), posed);
+    EXPECT_EQ(different(*editor, posed), 0u);
     EXPECT_EQ(editor->last_request(), request);
     EXPECT_EQ(editor->baker().front().records()[Stage::synthesis].runs, runs);
     play(*editor, R"({"click": "menu:File"}, {"wait": 2}, {"click": "menu:Close pose"},
-                     {"settle": true}, {"click": "tab:Library"}, {"wait": 2}, {"click": "category:classic"}, {"wait": 2})");
-    EXPECT_EQ(settled(*editor), rest);
+                     {"settle": true}, {"click": "tab:Library"}, {"wait": 2})");
+    EXPECT_EQ(different(*editor, rest), 0u);
     EXPECT_EQ(editor->baker().front().records()[Stage::synthesis].runs, runs);
 }
 
