@@ -103,12 +103,12 @@ RenderedFrames scene_frames(const RenderCommand& command, CommandFiles& files) {
 
 /// A mesh whose recipes are drawn by --lazy.
 struct LazyFrames {
+    std::unique_ptr<GlContext> context;  ///< outlives the light in `options`
     Pipeline pipeline;
     std::vector<View> views;
     std::vector<std::vector<Recipe>> cells;  ///< per cell the recipes of the frames
     LazyOptions options;
     std::optional<MeshPose> pose{};
-    std::unique_ptr<GlContext> context{};
     LazyPicture sum{};  ///< work and seconds of all pictures
 
     Picture draw(std::size_t frame, std::size_t cell) {
@@ -188,7 +188,8 @@ RenderedFrames lazy_frames(const RenderCommand& command, CommandFiles& files) {
     const DirectOptions& options = command.options;
     if (options.scene.empty()) throw Error(ExitCode::usage, "--lazy: a mesh is missing");
     const auto lazy =
-        std::make_shared<LazyFrames>(LazyFrames{Pipeline(options.meshes.load(options.scene)),
+        std::make_shared<LazyFrames>(LazyFrames{nullptr,
+                                                Pipeline(options.meshes.load(options.scene)),
                                                 command.frame_views(),
                                                 {},
                                                 lazy_options(command)});
