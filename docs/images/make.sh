@@ -14,7 +14,7 @@ burl=$bin/burl
 teapot() { # README, docs/guide/first-bake.md
     local recipe=(--recipe wood --set solid.scale=9 --filter trapezoid --quiet)
     "$burl" bake sample:teapot -o "$scratch/teapot.glb" "${recipe[@]}" --size 1024
-    "$burl" render "$scratch/teapot.glb" -o "$here/readme-teapot.png" --view 25,24,2.6 --size 480x360 --supersample 3
+    "$burl" render "$scratch/teapot.glb" -o "$here/readme-teapot.png" --view 25,24,2.6 --size 480x360 --supersample 3 --ground
     "$burl" bake sample:teapot -o "$scratch/readme-atlas.png" "${recipe[@]}" --size 256
     cp "$scratch/readme-atlas.png" "$here" # without the record of the bake
 }
@@ -52,12 +52,12 @@ sheet() { # docs/guide/pictures.md
 }
 
 editor() { # README, docs/guide/textures.md, docs/guide/editor.md
-    "$bin/burl-edit" --unseen --script "$here/editor.json" --screenshot-dir "$here" --exit
+    "$bin/burl-edit" --unseen --light studio --script "$here/editor.json" --screenshot-dir "$here" --exit
 }
 
 tour() { # README, docs/guide/editor.md
     mkdir "$scratch/tour"
-    "$bin/burl-edit" --unseen --script "$here/editor-tour.json" --screenshot-dir "$scratch/tour" --exit
+    "$bin/burl-edit" --unseen --light studio --script "$here/editor-tour.json" --screenshot-dir "$scratch/tour" --exit
     img2webp -loop 0 -lossy -q 70 -d 130 "$scratch"/tour/0*.png -o "$here/editor-tour.webp" >"$scratch/log"
 }
 
