@@ -77,7 +77,7 @@ struct PlaneLayer {
     PointMaterial material{};  ///< the whole material, for an environment's light
 };
 
-/// What lights a scene besides the headlight, and what lies behind and below it.
+/// The light of a scene besides the headlight, and what lies behind and below it.
 struct DirectSurroundings {
     const TracedLight* light = nullptr;      ///< null: the headlight, or none
     const Environment* backdrop = nullptr;   ///< null: the background is a colour, or none

@@ -11,7 +11,7 @@ struct GraphEdit {
     Recipe recipe;
     std::string words;  ///< what was done, for a list of steps
     std::string path;   ///< the place of the node that it was done to; empty: none
-    /// What went with the nodes that it belonged to, a sentence each: controls, keyed numbers.
+    /// Losses of the edit, a sentence each: controls and keyed numbers of nodes that went.
     std::vector<std::string> lost{};
 };
 

@@ -57,7 +57,7 @@ int rank_of(const NodeType& type, const std::vector<std::string>& words) {
     return std::ranges::all_of(words, within(both + " " + about)) ? 2 : 3;
 }
 
-/// What comes first of a node's inputs.
+/// Returns the sort key of a node's input: 0 comes first.
 int place_of(const NodeInput& input) {
     constexpr std::array<std::string_view, 3> leading{"input", "base", "a"};
     const auto found = std::ranges::find(leading, input.key);
@@ -82,7 +82,7 @@ const NodeType& known_type(const std::string& name) {
                                             : fmt::format("; did you mean \"{}\"?", nearest)));
 }
 
-/// What a node needs beside its inputs.
+/// Adds to `node` what its type requires besides inputs.
 void add_content(const NodeType& type, Json& node) {
     if (type.name == "constant") node["value"] = 0.5;
     if (type.name == "color_map") {

@@ -62,7 +62,7 @@ void dissolve(RecipeTree& tree, const std::string& name, const Json& by) {
     tree.remove_name(name);
 }
 
-/// What takes the place of a node that goes: null where nothing does.
+/// The successor of a node that goes: null where there is none.
 Json heir_of(const RecipeTree& tree, const Json& node, const std::string& place) {
     for (const bool wired : {true, false})
         for (const NodeInput* input : leading_inputs(type_of(node))) {

@@ -32,7 +32,7 @@ struct Sample {
     std::vector<double> numbers;
 };
 
-/// What a number is made of one dial: a quantity of a variable.
+/// The part of a number that follows one dial: a quantity of a variable.
 struct DialPart {
     std::size_t dial = 0, variable = 0;
     SimpleLaw law;
@@ -151,7 +151,7 @@ class KnobSearch {
         });
     }
 
-    /// What the number is made of the dial, if there is a law.
+    /// Returns the part of the number that follows the dial, if there is a law.
     std::optional<DialPart> part_of(std::size_t number, std::size_t dial) const {
         std::vector<double> u, y;
         for (const Sample& sample : samples_[dial]) y.push_back(sample.numbers[number]);

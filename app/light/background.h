@@ -9,7 +9,7 @@ namespace burl {
 /// The colour behind a scene where no other is asked for, in sRGB codes.
 inline constexpr Rgb8 background_srgb{176, 176, 176};
 
-/// What lies behind the scene. A colour is not light: neither exposure nor the tone curve changes
+/// The background of a scene. A colour is not light: neither exposure nor the tone curve changes
 /// it.
 struct Background {
     enum class Kind : std::uint8_t {

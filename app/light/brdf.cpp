@@ -20,7 +20,7 @@ Vec3d lobe_light(const PrefilteredLight& light, const Vec3d& normal, const Vec3d
     return glossy_light(light, lobe_direction(normal, view, roughness), roughness);
 }
 
-/// What the coat reflects, were its weight 1.
+/// Light that the coat reflects, were its weight 1.
 Vec3d coat_light(const ShadedPoint& point, const Vec3d& normal, const Vec3d& view,
                  const PrefilteredLight& light) {
     const Vec3d n = coat_normal_of(point, normal);

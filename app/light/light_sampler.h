@@ -17,7 +17,7 @@ class LightSampler {
         Vec3d light{0.0};
         double density = 0.0;
     };
-    /// What is seen in a direction of any length but 0.
+    /// The radiance seen in a direction of any length but 0.
     Seen operator()(const Vec3d& direction) const;
 
     /// A unit direction for a place in [0,1)^2.

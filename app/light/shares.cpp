@@ -30,8 +30,8 @@ Fresnel dielectric_of(const ShadedPoint& point) {
     return {Vec3d(dielectric_f0(point.ior) * point.specular), point.specular};
 }
 
-/// What occlusion leaves of a glossy lobe (Lagarde and de Rousiers, "Moving Frostbite to Physically
-/// Based Rendering", 2014).
+/// The share of a glossy lobe that occlusion leaves (Lagarde and de Rousiers, "Moving Frostbite to
+/// Physically Based Rendering", 2014).
 double glossy_occlusion(double cosine, double occlusion, double roughness) {
     const double power = std::exp2(-16.0 * roughness - 1.0);
     return std::clamp(std::pow(cosine + occlusion, power) - 1.0 + occlusion, 0.0, 1.0);

@@ -11,7 +11,8 @@ inline constexpr double coat_f0 = 0.04;
 /// A cosine of the view as surfaces count it, 1e-4 to 1.
 double view_cosine(double cosine);
 
-/// What glossy reflection does with white light: once, and more than once (Fdez-Aguera 2019).
+/// Shares of white light that glossy reflection sends back: once, and more than once (Fdez-Aguera
+/// 2019).
 struct Scattered {
     Vec3d once{0.0}, more{0.0};
 };
@@ -33,7 +34,7 @@ struct Shares {
     double below_sheen = 1.0;   ///< what sheen leaves of all other light
     double coat = 0.0;          ///< the weight of the coat
     double below_coat = 1.0;    ///< what it leaves of all that is below
-    /// What occlusion leaves of diffuse, glossy and the coat's light.
+    /// Shares of diffuse, glossy and the coat's light that occlusion leaves.
     double diffuse_open = 1.0, glossy_open = 1.0, coat_open = 1.0;
 };
 

@@ -10,7 +10,7 @@ namespace burl {
 /// Linear light of 0 and more to linear light in 0..1.
 Vec3d tone_mapped(const Vec3d& light);
 
-/// What a picture shows of linear light, before it is encoded: exposure, then the tone curve. The
+/// Linear light as a picture shows it, before it is encoded: exposure, then the tone curve. The
 /// headlight's light stays as it is but for its exposure.
 Vec3d developed(const Vec3d& light, const LightOptions& options);
 

@@ -29,7 +29,7 @@ FilteredColor filtered_color(const Recipe& recipe, FilterKind kind);
 /// black where it is transparent. Throws as filtered_color() does.
 FilteredColor shown_color(const Recipe& recipe, FilterKind kind);
 
-/// What pictures show of a colour with alpha, as FilteredColor has it, where the opacity is this.
+/// A colour with alpha as pictures show it, as FilteredColor has it, where the opacity is this.
 Vec4d shown_color(const Material& material, const Vec4d& color, double opacity);
 
 /// The filter's width instead of the colour (Hart et al. 1999, figure 9c): a grey whose sRGB code

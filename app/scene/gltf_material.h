@@ -12,7 +12,7 @@ struct Material;
 
 namespace burl {
 
-/// What reading a material needs besides the material.
+/// The surroundings that reading a material needs.
 struct MaterialReading {
     GltfTextures& textures;
     int uv_set = 0;      ///< the texture coordinates that the surface has; -1: none

@@ -33,7 +33,7 @@ Vec4d mean_of(const Image<RgbaF>& samples, std::size_t n, std::size_t x, std::si
     return sum * (1.0 / double(n * n));
 }
 
-/// What a picture shows of a pixel's light.
+/// A pixel's light as a picture shows it.
 class Development {
   public:
     Development(const PictureOptions& options, const SrgbEncoder<std::uint8_t>& encode)

@@ -30,8 +30,9 @@ struct ShownPlace {
     Vec3d weights{0.0};
 };
 
-/// What texel (x, y) shows by map number `map`: the map's triangle where the texel's point lies in
-/// it, such as one that is shown a second time to fill up a block, else the texel's owner.
+/// The triangle that texel (x, y) shows by map number `map`: the map's triangle where the texel's
+/// point lies in it, such as one that is shown a second time to fill up a block, else the texel's
+/// owner.
 ShownPlace place_shown(const SolidAtlas& solid, const TexelOwners& owners, const ShapeScene& shape,
                        std::uint32_t x, std::uint32_t y, std::uint32_t map);
 

@@ -31,7 +31,7 @@ struct BlendPair {
     Register top, base, top_alpha, base_alpha;
 };
 
-/// What is above 1/2 in `channel`, a channel times alpha, as a weight of 0 or 1.
+/// A weight: 1 where `channel`, a channel times alpha, is above 1/2, else 0.
 Register is_light(NodeOps& node, Register channel, Register alpha) {
     return node.apply(ValueOp::at_least, {node.combine(2.0, channel, -1.0, alpha)}, {0.0});
 }

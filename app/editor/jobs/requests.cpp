@@ -52,7 +52,7 @@ std::optional<std::array<double, 2>> TextureRequests::look_range() const {
     return look_ ? look_->second.range : std::nullopt;
 }
 
-/// What the node that is looked at gives; the recipe where there is no such node any more.
+/// Shows the node that is looked at; the recipe where there is no such node any more.
 const Recipe& TextureRequests::looked() {
     const Recipe& still = session_.still();
     if (look_ && look_->first == still) return look_->second.recipe;

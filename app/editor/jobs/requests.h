@@ -30,7 +30,8 @@ class TextureRequests {
     const std::string& looking_at() const { return looked_at_; }
     /// The numbers that are black and white in that; empty where they are 0 and 1, or colours.
     std::optional<std::array<double, 2>> look_range() const;
-    /// What is on screen instead of the recipe, such as "as it was opened"; empty: the recipe.
+    /// The name of what is on screen in the recipe's place, such as "as it was opened"; empty: the
+    /// recipe.
     std::string shown_words() const;
     /// The recipe on screen, without animation.
     Recipe recipe();
@@ -50,7 +51,7 @@ class TextureRequests {
 
     EditSession& session_;
     EditBaker& baker_;
-    /// What is compared with: 0 and 1 are the kept states, 2 is what was opened.
+    /// The state compared with: 0 and 1 are the kept ones, 2 is what was opened.
     std::optional<std::size_t> compared_with_;
     Recipe compared_;        ///< the session's recipe when comparing began; another one ends it
     std::string looked_at_;  ///< place of a node; empty: none

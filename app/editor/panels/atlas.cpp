@@ -44,7 +44,7 @@ void ramp(const Color& color) {
     ImGui::SameLine();
 }
 
-/// What each mode of the atlas shows, in the order of SheetMode.
+/// Sentences about the atlas's modes, in the order of SheetMode.
 constexpr std::array mode_sentences{
     "The texture that the object is drawn with.",
     "The texels' solid coordinates: x, y, z as red, green, blue.",

@@ -71,7 +71,7 @@ class FileCommands {
     EditNotices& notices_;
     FileDialog dialog_;
     std::function<void(const std::string& path)> chosen_;  ///< takes the path chosen in the dialog
-    /// What was chosen for exports.
+    /// The choices for exports.
     struct ExportChoice {
         std::uint32_t size = 0;  ///< the texture's side in texels; 0: the recipe's
         bool levels = false;

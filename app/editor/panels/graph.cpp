@@ -27,7 +27,7 @@ std::vector<std::string> names_of(const NodeGraph& graph) {
     return names;
 }
 
-/// What an input is called: "base colour", "amount of mix in rings".
+/// Returns the name of an input: "base colour", "amount of mix in rings".
 std::string input_words(const NodeGraph& graph, std::size_t owner, const std::string& place) {
     const GraphNodeView& node = graph.nodes[owner];
     const auto input = std::ranges::find(node.inputs, place, &GraphInput::place);

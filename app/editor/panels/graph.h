@@ -13,7 +13,7 @@
 
 namespace burl {
 
-/// What the graph needs of the program around it.
+/// The services that the graph needs of the program around it.
 struct GraphHooks {
     /// The picture of a node; null: none is ready.
     std::function<ImTextureID(const GraphNodeView& node)> picture{};
@@ -56,7 +56,7 @@ class EditGraph {
     void look(const GraphHooks& hooks);
 
   private:
-    /// What a drag on the canvas does.
+    /// The effect of a drag on the canvas.
     enum class Grip { none, pan, frame, wire_from, wire_to };
     /// A canvas in one frame.
     struct Canvas {

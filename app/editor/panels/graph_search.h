@@ -14,14 +14,14 @@ namespace burl {
 /// The search box. All functions are called by the user interface's thread.
 class GraphSearch {
   public:
-    /// What happens with what is chosen.
+    /// The use that is made of the choice.
     enum class Purpose { add, replace };
     struct Wish {
         Purpose purpose = Purpose::add;
         std::string place{};               ///< empty: a node for later
         std::vector<std::string> names{};  ///< of "define", which may be connected
     };
-    /// What was chosen: the text of a node, as new_node takes it, or a name.
+    /// The choice: the text of a node, as new_node takes it, or a name.
     struct Choice {
         Wish wish{};
         std::string text{};

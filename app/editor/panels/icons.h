@@ -36,7 +36,7 @@ inline constexpr const char* not_done = "\uf10c";
 /// Returns the icon where ImGui's font has it, else `word`.
 const char* icon_or(const char* icon, const char* word);
 
-/// What a button with an icon says and does.
+/// A button with an icon: its tip, key and state.
 struct IconButton {
     const char* icon;
     const char* word;  ///< stands in for the icon, and names the item: "tool:WORD"

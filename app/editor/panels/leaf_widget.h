@@ -22,7 +22,7 @@ struct ValueEdit {
     std::size_t item = 0;               ///< index of the edited number in a parameter of several
 };
 
-/// What a row shows besides the leaf.
+/// Properties of a row besides the leaf.
 struct LeafRow {
     std::string label{};
     SliderScale scale = SliderScale::linear;  ///< of a single number's slider

@@ -13,7 +13,7 @@ namespace burl {
 /// Returns a recipe's thumbnail, side x side pixels; null: not ready.
 using PresetPicture = std::function<ImTextureID(const std::string& name, int side)>;
 
-/// What of the library is shown.
+/// The part of the library that is shown.
 struct LibraryView {
     std::string search{};
     std::string category{};   ///< a category's name; empty: all

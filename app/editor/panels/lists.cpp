@@ -85,7 +85,7 @@ void key_table(const char* id, std::span<const KeyLine> lines) {
     ImGui::EndTable();
 }
 
-/// What was done about a left recipe.
+/// The answer about a left recipe.
 struct LeftAnswer {
     bool given = false;
     std::optional<std::string> view{};  ///< the view of a recipe that was taken

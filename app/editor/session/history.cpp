@@ -16,7 +16,7 @@ std::string spelling_of(const std::string& path) {
     return path.ends_with(".json") ? real_path(path) : path;
 }
 
-/// What the opening of a file or preset is called in a list of steps.
+/// Returns the words for the opening of a file or preset in a list of steps.
 std::string opening_words(const std::string& path) {
     return path.empty() ? "new recipe" : fmt::format("open {}", path.substr(path.rfind('/') + 1));
 }

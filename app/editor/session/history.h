@@ -58,7 +58,7 @@ class EditHistory {
     /// The number of steps, the first of which is what the history began with, and the present one.
     std::size_t step_count() const { return steps_.size(); }
     std::size_t step() const { return at_; }
-    /// What was done in a step, in a few words.
+    /// A step in a few words.
     const std::string& words(std::size_t step) const { return steps_[step].words; }
     /// Ends an open gesture and goes to a step; nothing is dropped.
     void return_to(std::size_t step);

@@ -6,7 +6,7 @@
 
 namespace burl {
 
-/// What turned `before` into `after`, in a few words: a control's or number's name with its new
+/// Tells in a few words how `before` became `after`: a control's or number's name with its new
 /// value, "paint", "keys", or how many values changed.
 std::string step_words(const Recipe& before, const Recipe& after);
 

@@ -9,7 +9,7 @@
 
 namespace burl {
 
-/// What of the window is to be laid out.
+/// The parts of the window that are to be laid out.
 struct PaneWishes {
     ImVec2 size{};      ///< the window's size, in screen coordinates
     float top = 0.0f;   ///< the height of the menu

@@ -42,7 +42,7 @@ class GlEditGallery {
     EditThumbnails thumbnails_;
 };
 
-/// What the side panel shows of the rest of the program.
+/// Parts of the rest of the program that the side panel shows.
 struct SideParts {
     EditGraph& graph;
     GraphHooks hooks;

@@ -40,7 +40,7 @@ SceneTexture texture_of(Image<Rgba8> image, std::size_t components) {
     return texture;
 }
 
-/// What is hidden shows where something before it lets light through, so that no texel can be left
+/// Hidden surfaces show where something before it lets light through, so that no texel can be left
 /// out.
 Skips skips_of(const LazyOptions& options, const SceneMaterial& material) {
     Skips skips = options.skips;

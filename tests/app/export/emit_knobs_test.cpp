@@ -114,7 +114,7 @@ class GlEmitKnobsTest : public EmittedShaderTest {
         return shader.text;
     }
 
-    /// What the shader draws at the texels of a torus, whose points are the recipe's.
+    /// Draws the shader at the texels of a torus, whose points are the recipe's.
     std::vector<float> drawn(const Recipe& recipe, const std::string& shader,
                              const Uniforms& values) {
         pipeline_.set_recipe(recipe);

@@ -26,7 +26,7 @@ Image<Rgb8> moving_ball(int i) {
     return image;
 }
 
-/// The same without a ground, and half transparent on its left side.
+/// A frame without a ground, half transparent on its left side.
 Image<Rgba8> ball_alone(int i) {
     return converted<Rgba8>(moving_ball(i), [](const Rgb8& c) -> Rgba8 {
         if (c == Rgb8{176, 176, 176}) return {0, 0, 0, 0};

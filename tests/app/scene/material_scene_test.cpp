@@ -175,7 +175,7 @@ TEST(ObjMaterial, SaysWhatItLeavesOut) {
                 ElementsAre(HasSubstr("map_Ke photo.jpg is not a PNG that is there")));
 }
 
-/// What `burl bake` writes of a material to OBJ is read back, whoever's order its pictures are in.
+/// A material that `burl bake` writes to OBJ is read back, whoever's order its pictures are in.
 TEST(ObjMaterial, BurlsOwnComesBack) {
     const MaterialFolder folder;
     std::ofstream(folder / "r.json")

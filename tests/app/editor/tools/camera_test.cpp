@@ -80,7 +80,7 @@ TEST(EditCamera, ZoomKeepsWhatIsUnderThePointer) {
     EXPECT_EQ(zoomed(camera, 3).target, camera.target) << "without a pointer to the middle";
 }
 
-/// As Blender shows what it makes: +z is up, its front -y towards the viewer, +x on the right.
+/// Blender's views of what it makes: +z is up, its front -y towards the viewer, +x on the right.
 TEST(EditCamera, TheUpAxisIsUpOnTheScreen) {
     for (const auto& [up, axis, front] : {std::tuple{UpAxis::y, Vec3d(0, 1, 0), Vec3d(0, 0, 1)},
                                           {UpAxis::z, Vec3d(0, 0, 1), Vec3d(0, -1, 0)},
