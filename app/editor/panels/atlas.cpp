@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/editor/panels/slider.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/slider.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/image/image_diff.h"
 #include "app/measure/metrics_pictures.h"
 #include "procedural/color/srgb.h"

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/editor/panels/panels.h"
-#include "app/editor/panels/slider.h"
-#include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
 #include "app/editor/session/stops.h"
+#include "app/editor/widgets/slider.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/recipe/edit/leaves.h"
 #include "procedural/model/texture_json.h"
 

@@ -8,9 +8,9 @@
 #include <imgui.h>
 #include <nlohmann/json.hpp>
 
-#include "app/editor/panels/leaf_widget.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/leaf_widget.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/recipe/edit/controls.h"
 #include "app/recipe/edit/leaves.h"
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/editor/panels/files.h"
-#include "app/editor/panels/keys.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/keys.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/pipeline/mask_picture.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"

@@ -10,8 +10,8 @@
 #include "app/editor/jobs/export.h"
 #include "app/editor/jobs/loader.h"
 #include "app/editor/panels/file_dialog.h"
-#include "app/editor/panels/notices.h"
 #include "app/editor/panels/panels.h"
+#include "app/editor/widgets/notices.h"
 
 namespace burl {
 

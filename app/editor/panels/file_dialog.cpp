@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "app/editor/panels/files.h"
-#include "app/editor/panels/icons.h"
-#include "app/editor/panels/keys.h"
-#include "app/editor/panels/theme.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/icons.h"
+#include "app/editor/widgets/keys.h"
+#include "app/editor/widgets/theme.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 

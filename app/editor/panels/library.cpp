@@ -7,9 +7,9 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
-#include "app/editor/panels/icons.h"
-#include "app/editor/panels/theme.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/icons.h"
+#include "app/editor/widgets/theme.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/recipe/material_notes.h"
 #include "app/recipe/preset_notes.h"
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "app/editor/panels/panels.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 

@@ -11,12 +11,12 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/editor/panels/items.h"
-#include "app/editor/panels/keys.h"
-#include "app/editor/panels/widgets.h"
 #include "app/editor/tools/grab.h"
 #include "app/editor/tools/solid_gizmo.h"
 #include "app/editor/tools/view.h"
+#include "app/editor/widgets/items.h"
+#include "app/editor/widgets/keys.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 

@@ -5,9 +5,9 @@
 
 #include <optional>
 
-#include "app/editor/panels/items.h"
 #include "app/editor/panels/panels.h"
 #include "app/editor/tools/grab.h"
+#include "app/editor/widgets/items.h"
 
 namespace burl {
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/editor/panels/keys.h"
-#include "app/editor/panels/slider.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/keys.h"
+#include "app/editor/widgets/slider.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 

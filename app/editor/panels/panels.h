@@ -9,9 +9,9 @@
 #include <imgui.h>
 
 #include "app/editor/jobs/figures.h"
-#include "app/editor/panels/items.h"
 #include "app/editor/session/autosave.h"
 #include "app/editor/session/session.h"
+#include "app/editor/widgets/items.h"
 #include "app/pipeline/stage_records.h"
 
 namespace burl {

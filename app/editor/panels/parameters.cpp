@@ -6,8 +6,8 @@
 #include <imgui.h>
 #include <nlohmann/json.hpp>
 
-#include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "app/editor/panels/leaf_widget.h"
 #include "app/editor/panels/panels.h"
+#include "app/editor/widgets/leaf_widget.h"
 
 namespace burl {
 

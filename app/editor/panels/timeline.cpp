@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 
-#include "app/editor/panels/flow.h"
-#include "app/editor/panels/keys.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
+#include "app/editor/widgets/flow.h"
+#include "app/editor/widgets/keys.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/recipe/edit/key_check.h"
 #include "app/recipe/edit/key_edit.h"
 #include "app/recipe/edit/keyed_recipe.h"

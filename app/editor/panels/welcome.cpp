@@ -1,8 +1,8 @@
 #include "app/editor/panels/welcome.h"
 
-#include "app/editor/panels/icons.h"
-#include "app/editor/panels/theme.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/icons.h"
+#include "app/editor/widgets/theme.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 

@@ -5,9 +5,9 @@
 
 #include <imgui.h>
 
-#include "app/editor/panels/items.h"
 #include "app/editor/session/history.h"
 #include "app/editor/tools/view.h"
+#include "app/editor/widgets/items.h"
 
 namespace burl {
 

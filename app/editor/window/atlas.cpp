@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/editor/panels/keys.h"
+#include "app/editor/widgets/keys.h"
 #include "app/editor/window/imgui.h"
 
 namespace burl {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/editor/window/program.h"
 
 namespace burl {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "app/editor/panels/files.h"
-#include "app/editor/panels/keys.h"
 #include "app/editor/panels/paint.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/keys.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/editor/window/kept_view.h"
 #include "app/editor/window/panes.h"
 #include "app/editor/window/program.h"

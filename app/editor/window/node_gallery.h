@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "app/editor/graph/graph.h"
 #include "app/editor/jobs/node_pictures.h"
-#include "app/editor/panels/graph.h"
 #include "app/gl/device/objects.h"
 
 namespace burl {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/panels/theme.h"
+#include "app/editor/widgets/theme.h"
 
 namespace burl {
 

@@ -4,8 +4,8 @@
 #include <imgui.h>
 
 #include "app/editor/panels/changes.h"
-#include "app/editor/panels/items.h"
 #include "app/editor/session/preferences.h"
+#include "app/editor/widgets/items.h"
 
 namespace burl {
 

@@ -10,9 +10,9 @@
 
 #include "app/base/stopwatch.h"
 #include "app/editor/panels/files.h"
-#include "app/editor/panels/keys.h"
-#include "app/editor/panels/widgets.h"
 #include "app/editor/session/input.h"
+#include "app/editor/widgets/keys.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/editor/window/kept_view.h"
 #include "app/image/image_io.h"
 #include "app/recipe/edit/recipe_json.h"

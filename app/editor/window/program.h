@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/graph/graph.h"
 #include "app/editor/jobs/baker.h"
 #include "app/editor/jobs/loader.h"
 #include "app/editor/jobs/requests.h"
 #include "app/editor/panels/file_commands.h"
-#include "app/editor/panels/fonts.h"
-#include "app/editor/panels/graph.h"
-#include "app/editor/panels/items.h"
-#include "app/editor/panels/notices.h"
 #include "app/editor/panels/welcome.h"
 #include "app/editor/session/autosave.h"
 #include "app/editor/session/pace.h"
 #include "app/editor/session/preferences.h"
 #include "app/editor/session/session.h"
+#include "app/editor/widgets/fonts.h"
+#include "app/editor/widgets/items.h"
+#include "app/editor/widgets/notices.h"
 #include "app/editor/window/atlas.h"
 #include "app/editor/window/imgui.h"
 #include "app/editor/window/node_gallery.h"

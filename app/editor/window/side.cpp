@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/editor/window/imgui.h"
 #include "procedural/numbers/simd_target.h"
 

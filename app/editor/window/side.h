@@ -9,10 +9,10 @@
 #include <string>
 #include <utility>
 
+#include "app/editor/graph/graph.h"
 #include "app/editor/jobs/baker.h"
 #include "app/editor/jobs/figures.h"
 #include "app/editor/jobs/thumbnails.h"
-#include "app/editor/panels/graph.h"
 #include "app/editor/panels/library.h"
 #include "app/editor/panels/panels.h"
 #include "app/gl/device/context.h"

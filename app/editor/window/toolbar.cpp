@@ -1,8 +1,8 @@
 // The bar of tools above the object: what is used most, each an icon with a tip.
 #include <imgui.h>
 
-#include "app/editor/panels/icons.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/icons.h"
+#include "app/editor/widgets/widgets.h"
 #include "app/editor/window/program.h"
 
 namespace burl {

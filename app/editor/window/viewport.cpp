@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/base/stopwatch.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 

@@ -1,6 +1,6 @@
 // Fonts: what is found, what stands in where nothing is, and characters that come with somebody's
 // file names.
-#include "app/editor/panels/fonts.h"
+#include "app/editor/widgets/fonts.h"
 
 #include <gtest/gtest.h>
 

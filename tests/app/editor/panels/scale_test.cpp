@@ -1,5 +1,5 @@
 // The sizes of the user interface: up and down again, and text that grows with them.
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/widgets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Where values lie along a slider.
-#include "app/editor/panels/slider.h"
+#include "app/editor/widgets/slider.h"
 
 #include <gtest/gtest.h>
 

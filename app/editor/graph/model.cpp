@@ -1,4 +1,4 @@
-#include "app/editor/panels/graph_model.h"
+#include "app/editor/graph/model.h"
 
 #include <algorithm>
 #include <utility>

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/edit/node_kinds.h"
-#include "app/editor/panels/graph.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/graph/graph.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 

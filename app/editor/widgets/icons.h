@@ -1,6 +1,6 @@
 #pragma once
 // Icons of fonts-font-awesome, and buttons that show one; words where that font is not installed.
-#include "app/editor/panels/items.h"
+#include "app/editor/widgets/items.h"
 
 namespace burl {
 

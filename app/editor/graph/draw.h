@@ -1,6 +1,6 @@
 #pragma once
 // Where the wires of the graph's nodes end.
-#include "app/editor/panels/graph_model.h"
+#include "app/editor/graph/model.h"
 
 namespace burl {
 

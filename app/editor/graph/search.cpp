@@ -1,4 +1,4 @@
-#include "app/editor/panels/graph_search.h"
+#include "app/editor/graph/search.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,8 +6,8 @@
 #include <imgui_stdlib.h>
 
 #include "app/edit/node_kinds.h"
-#include "app/editor/panels/keys.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/keys.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "app/edit/steps.h"
-#include "app/editor/panels/graph.h"
-#include "app/editor/panels/graph_draw.h"
-#include "app/editor/panels/keys.h"
+#include "app/editor/graph/draw.h"
+#include "app/editor/graph/graph.h"
+#include "app/editor/widgets/keys.h"
 
 namespace burl {
 

@@ -1,4 +1,4 @@
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/widgets.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "app/editor/panels/leaf_widget.h"
+#include "app/editor/widgets/leaf_widget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <imgui_stdlib.h>
 #include <nlohmann/json.hpp>
 
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/widgets.h"
 #include "procedural/model/texture_json.h"
 
 namespace burl {

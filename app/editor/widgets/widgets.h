@@ -5,10 +5,10 @@
 
 #include <string>
 
-#include "app/editor/panels/fonts.h"
-#include "app/editor/panels/items.h"
-#include "app/editor/panels/theme.h"
 #include "app/editor/session/history.h"
+#include "app/editor/widgets/fonts.h"
+#include "app/editor/widgets/items.h"
+#include "app/editor/widgets/theme.h"
 #include "atlas/base/image.h"
 
 namespace burl {

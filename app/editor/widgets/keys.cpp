@@ -1,4 +1,4 @@
-#include "app/editor/panels/keys.h"
+#include "app/editor/widgets/keys.h"
 
 #include <imgui_internal.h>
 

@@ -1,12 +1,12 @@
-#include "app/editor/panels/icons.h"
+#include "app/editor/widgets/icons.h"
 
 #include <string>
 
 #include <imgui.h>
 
-#include "app/editor/panels/fonts.h"
-#include "app/editor/panels/theme.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/fonts.h"
+#include "app/editor/widgets/theme.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 

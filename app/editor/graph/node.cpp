@@ -9,7 +9,7 @@
 #include "app/edit/lists.h"
 #include "app/edit/node_kinds.h"
 #include "app/edit/steps.h"
-#include "app/editor/panels/graph.h"
+#include "app/editor/graph/graph.h"
 #include "app/editor/panels/parameters.h"
 #include "app/editor/session/groups.h"
 

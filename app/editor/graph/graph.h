@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/panels/graph_model.h"
-#include "app/editor/panels/graph_search.h"
+#include "app/editor/graph/model.h"
+#include "app/editor/graph/search.h"
 #include "app/editor/panels/panels.h"
 
 namespace burl {

@@ -1,4 +1,4 @@
-#include "app/editor/panels/theme.h"
+#include "app/editor/widgets/theme.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // Nodes and wires on the graph's canvas (graph.h).
-#include "app/editor/panels/graph_draw.h"
+#include "app/editor/graph/draw.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/edit/node_kinds.h"
-#include "app/editor/panels/graph.h"
-#include "app/editor/panels/keys.h"
+#include "app/editor/graph/graph.h"
+#include "app/editor/widgets/keys.h"
 #include "procedural/model/texture_json.h"
 
 namespace burl {

@@ -1,4 +1,4 @@
-#include "app/editor/panels/notices.h"
+#include "app/editor/widgets/notices.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "app/editor/panels/theme.h"
+#include "app/editor/widgets/theme.h"
 
 namespace burl {
 

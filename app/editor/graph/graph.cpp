@@ -1,4 +1,4 @@
-#include "app/editor/panels/graph.h"
+#include "app/editor/graph/graph.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,8 +9,8 @@
 #include "app/edit/clip.h"
 #include "app/edit/node_kinds.h"
 #include "app/edit/steps.h"
-#include "app/editor/panels/keys.h"
-#include "app/editor/panels/widgets.h"
+#include "app/editor/widgets/keys.h"
+#include "app/editor/widgets/widgets.h"
 #include "atlas/base/error.h"
 
 namespace burl {

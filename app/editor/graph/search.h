@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/panels/items.h"
+#include "app/editor/widgets/items.h"
 
 namespace burl {
 

@@ -1,4 +1,4 @@
-#include "app/editor/panels/slider.h"
+#include "app/editor/widgets/slider.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include "app/editor/panels/theme.h"
+#include "app/editor/widgets/theme.h"
 
 namespace burl {
 

@@ -1,4 +1,4 @@
-#include "app/editor/panels/fonts.h"
+#include "app/editor/widgets/fonts.h"
 
 #include <array>
 #include <cmath>

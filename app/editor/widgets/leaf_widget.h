@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/editor/panels/items.h"
-#include "app/editor/panels/slider.h"
+#include "app/editor/widgets/items.h"
+#include "app/editor/widgets/slider.h"
 #include "app/recipe/edit/leaves.h"
 
 namespace burl {
