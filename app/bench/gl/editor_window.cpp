@@ -54,7 +54,7 @@ std::vector<InputEvent> BenchWindow::poll(double seconds) {
     {
         std::unique_lock lock(mutex_);
         changed_.wait_until(lock, time_at(until), [&] { return woken_; });
-        woken_ = false;
+        news_ |= std::exchange(woken_, false);
     }
     began_ = this->seconds();
     if (!hand_ || began_ < next_events_) return {};

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/base/json_text.h"
@@ -45,6 +46,7 @@ class BenchWindow final : public GlWindow {
     void present() override;
     std::vector<InputEvent> poll(double seconds) override;
     void wake() override;
+    bool take_news() override { return std::exchange(news_, false); }
     void resize(const glm::ivec2& size) override { window_->resize(size); }
     void set_title(const std::string&) override {}
     std::string clipboard() const override { return {}; }
@@ -64,6 +66,7 @@ class BenchWindow final : public GlWindow {
     std::mutex mutex_;
     std::condition_variable changed_;
     bool woken_ = false;
+    bool news_ = false;  ///< whether poll() found woken_ set; of the thread that draws
 };
 
 }  // namespace burl

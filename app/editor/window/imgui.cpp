@@ -126,12 +126,14 @@ void GlImGui::draw(const ImDrawData& data) const {
     check_gl(*gl_, "drawing the user interface");
 }
 
-void GlImGui::update(const ImDrawData& data, const Vec3f& background, const OpaqueImage& image) {
+void GlImGui::update(const ImDrawData& data, const Vec3f& background, const OpaqueImage& image,
+                     const std::function<bool(ImTextureID)>& lasts) {
     const glm::ivec2 pixels = pixel_size(data);
     if (pixels.x <= 0 || pixels.y <= 0) return;
     const ImTextureID picture = image.target ? imgui_texture(image.target->texture()) : nullptr;
     const std::vector<ScreenRect> parts = changes_.update(data, [&](ImTextureID texture) {
-        return (image.still && texture == picture) || texture == imgui_texture(fonts_);
+        return (image.still && texture == picture) || texture == imgui_texture(fonts_) ||
+               lasts(texture);
     });
     if (parts.empty()) return;
     set_state(data, pixels);

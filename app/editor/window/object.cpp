@@ -25,6 +25,7 @@ void check_size(const GladGLContext& gl, const Image<Rgba8>& image) {
 
 constexpr std::size_t piece_bytes = std::size_t(1) << 20;
 constexpr std::chrono::milliseconds patience{4};  ///< longest upload of a surface in a frame
+constexpr std::size_t part_triangles = 40'000;  ///< of a large surface, drawn in a frame
 
 PictureSize sample_size(const ObjectViewOptions& options) {
     return {options.size.width * options.supersample, options.size.height * options.supersample};
@@ -118,15 +119,25 @@ void GlEditObject::take_over() {
     textures_.clear();
     picture_.reset();
     normals_.reset();
+    coarse_.reset();
+    pictured_ = false;
     drawn_.reset();
+    parted_.reset();
     seen_.reset();
     placed_.reset();
+}
+
+void GlEditObject::show_coarse(const std::shared_ptr<const CoarseSurfaces>& coarse) {
+    if (coarse == coarse_ || !scene_) return;
+    coarse_ = coarse;
+    scene_->set_coarse(coarse ? *coarse : CoarseSurfaces(), surface_->frames);
 }
 
 void GlEditObject::show_lines(const std::shared_ptr<const SurfaceLines>& lines) {
     if (lines_.shows(lines)) return;
     lines_.show(lines, surface_ ? surface_->sphere : Sphere{});
     drawn_.reset();
+    parted_.reset();
 }
 
 const GlTexture* GlEditObject::texture() const {
@@ -145,6 +156,7 @@ void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
     if (picture->normals != normals_) upload_normals(picture->normals);
     picture_ = picture;
     drawn_.reset();
+    parted_.reset();
 }
 
 /// Uploads the levels of the scene's texture `number`.
@@ -168,6 +180,8 @@ void GlEditObject::make_target(std::optional<GlDepthTarget>& target, const Pictu
     if (target && target->colors.size() == GlSize{size.width, size.height}) return;
     target.emplace(*gl_, size, format);
     placed_.reset();
+    parted_.reset();
+    pictured_ &= &target != &shown_;
 }
 
 /// Whether the view can be drawn without a second pass: with one sample per pixel, no lines and
@@ -176,27 +190,67 @@ bool GlEditObject::is_direct(const ObjectViewOptions& options) const {
     return options.supersample == 1 && !options.edges && !options.borders && !scene_->has_layers();
 }
 
+/// Whether the G-buffer can hold the view's lookups.
+bool GlEditObject::keeps_places(const ObjectViewOptions& options) const {
+    return is_direct(options) && !options.light && scene_->has_places();
+}
+
+/// Whether coarse surfaces are drawn: not where only the texture has changed and the G-buffer does.
+bool GlEditObject::is_coarse(const ObjectViewOptions& options) const {
+    return options.coarse && scene_->has_coarse() &&
+           !(seen_ == options && keeps_places(options));
+}
+
+/// The number of calls in which the view is drawn.
+int GlEditObject::parts(const ObjectViewOptions& options) const {
+    if (!scene_->has_coarse() || options.supersample == 1 || !pictured_) return 1;
+    return int(1 + drawn_triangles(surface_->scene) / part_triangles);
+}
+
 void GlEditObject::make_targets(const ObjectViewOptions& options) {
     make_target(shown_, options.size, GL_RGBA8);
     gl_->BindTexture(GL_TEXTURE_2D, shown_->colors.texture().get());
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    if (!is_direct(options)) make_target(samples_, sample_size(options), GL_RGBA16F);
+    if (!is_direct(options) && !is_coarse(options)) make_target(samples_, sample_size(options), GL_RGBA16F);
 }
 
+/// Draws the samples of the view, or their next part; part_ is 0 after the last one.
 void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     const PictureSize samples = sample_size(options);
     const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
     samples_->colors.bind();
     const SampleTile tile{0, 0, samples.width, samples.height};
     const GlShading shading = shading_of(options);
-    const Vec4f background(Vec3f(background_linear()), 1.0f);
-    scene_->clear(tile, shading.tone_curve ? Vec4f(0.0f) : background);
-    scene_->draw(camera, samples, tile, shading);
-    if (scene_->has_layers()) scene_->draw_blended(camera, samples, tile, shading);
+    const DrawPart part{part_, parts(options)};
+    if (part.number == 0)
+        scene_->clear(tile, shading.tone_curve ? Vec4f(0.0f)
+                                               : Vec4f(Vec3f(background_linear()), 1.0f));
+    scene_->draw(camera, samples, tile, shading, part);
+    part_ = (part.number + 1) % part.count;
+    if (part_ == 0) {
+        if (scene_->has_layers()) scene_->draw_blended(camera, samples, tile, shading);
+        draw_lines(options);
+    }
+    gl_->Disable(GL_DEPTH_TEST);
+}
+
+void GlEditObject::draw_lines(const ObjectViewOptions& options) {
+    const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
     for (const auto& [kind, shown] : {std::pair(GlEditLines::Kind::edges, options.edges),
                                       std::pair(GlEditLines::Kind::borders, options.borders)})
-        if (shown) lines_.draw(kind, camera, samples, options.supersample, options.share);
+        if (shown)
+            lines_.draw(kind, camera, sample_size(options), options.supersample, options.share);
+}
+
+/// Draws the coarse surfaces, without lines, which belong to other triangles.
+void GlEditObject::draw_coarse(const ObjectViewOptions& options) {
+    placed_.reset();
+    scene_->set_target_share(options.share);
+    const PictureSize& size = options.size;
+    shown_->colors.bind();
+    scene_->draw_coarse(camera_of(options.camera, surface_->sphere, size), size,
+                        {0, 0, size.width, size.height}, shading_of(options));
     gl_->Disable(GL_DEPTH_TEST);
 }
 
@@ -223,18 +277,20 @@ void GlEditObject::encode(const ObjectViewOptions& options) const {
     check_gl(*gl_, "drawing the object");
 }
 
+/// Draws the view, or the next part of it.
 void GlEditObject::draw_view(const ObjectViewOptions& options) {
+    if (is_coarse(options)) return draw_coarse(options);
     if (is_direct(options) && draw_places(options)) return;
     scene_->set_target_share(options.share);
     if (is_direct(options)) return draw_pixels(options);
     draw_samples(options);
-    encode(options);
+    if (part_ == 0) encode(options);
 }
 
 /// Shades from the G-buffer where only the texture has changed since the last frame; returns
 /// whether that was possible.
 bool GlEditObject::draw_places(const ObjectViewOptions& options) {
-    if (seen_ != options || options.light || !scene_->has_places()) return false;
+    if (seen_ != options || !keeps_places(options)) return false;
     if (placed_ != options) {
         scene_->set_target_share(options.share);
         places_.find(*scene_, camera_of(options.camera, surface_->sphere, options.size), *shown_,
@@ -250,9 +306,17 @@ const GlTexture* GlEditObject::draw(const ObjectViewOptions& options) {
     drew_ = drawn_ != options;
     if (drew_) {
         make_targets(options);
+        if (std::exchange(parted_, options) != options) part_ = 0;
         draw_view(options);
-        drawn_ = seen_ = options;
+        drew_ = part_ == 0;
+    } else {
+        part_ = 0;
     }
+    if (drew_) {
+        drawn_ = seen_ = options;
+        pictured_ = true;
+    }
+    if (part_ == 0) parted_.reset();
     return &shown_->colors.texture();
 }
 

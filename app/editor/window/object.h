@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/editor/jobs/coarse.h"
 #include "app/editor/jobs/front_buffer.h"
 #include "app/editor/tools/view.h"
 #include "app/editor/window/lines.h"
@@ -50,6 +51,8 @@ struct ObjectViewOptions {
     /// Whether edges of triangles and borders of charts are drawn, once available.
     bool edges = false, borders = false;
     int supersample = 1;  ///< samples per side of a pixel: 1 while anything moves, 2 at rest
+    /// Whether coarse surfaces are drawn in the place of a large one, where there are any.
+    bool coarse = false;
     bool operator==(const ObjectViewOptions&) const = default;
 };
 
@@ -70,13 +73,20 @@ class GlEditObject {
     bool uploading() const { return next_scene_ && !uploaded_; }
     /// The surface shown; null: none.
     const std::shared_ptr<const EditSurface>& surface() const { return surface_; }
+    /// Sets the coarse surfaces of the surface shown; null: none.
+    void show_coarse(const std::shared_ptr<const CoarseSurfaces>& coarse);
+    /// Whether the surface has coarse ones that can be drawn.
+    bool has_coarse() const { return scene_ && scene_->has_coarse(); }
     /// Sets the lines drawn over the object; null: none.
     void show_lines(const std::shared_ptr<const SurfaceLines>& lines);
     /// The OpenGL texture of picture(); null: none.
     const GlTexture* texture() const;
     /// Renders if anything has changed. Row 0 of the texture is the top row. Null without a surface
-    /// or with a size of 0.
+    /// or with a size of 0. A surface that has coarse ones is drawn with several samples a pixel in
+    /// as many calls as keep each short; the texture shows what was drawn before until then.
     const GlTexture* draw(const ObjectViewOptions& options);
+    /// Whether the last draw() is not done yet: it must be called again.
+    bool drawing() const { return part_ > 0; }
     /// The target that the last draw() rendered into; null: none.
     const GlTarget* target() const { return shown_ ? &shown_->colors : nullptr; }
     /// Whether the last draw() rendered anew.
@@ -98,8 +108,13 @@ class GlEditObject {
     bool draw_places(const ObjectViewOptions& options);
     void draw_pixels(const ObjectViewOptions& options);
     void draw_samples(const ObjectViewOptions& options);
+    void draw_lines(const ObjectViewOptions& options);
+    void draw_coarse(const ObjectViewOptions& options);
     void encode(const ObjectViewOptions& options) const;
     bool is_direct(const ObjectViewOptions& options) const;
+    bool keeps_places(const ObjectViewOptions& options) const;
+    bool is_coarse(const ObjectViewOptions& options) const;
+    int parts(const ObjectViewOptions& options) const;
 
     const GladGLContext* gl_;
     GlProgram encode_, develop_;  ///< samples to the screen, as they are and by the tone curve
@@ -120,6 +135,11 @@ class GlEditObject {
     /// Options with which this surface was drawn last, whatever its texture, and options of the
     /// G-buffer.
     std::optional<ObjectViewOptions> seen_, placed_;
+    std::shared_ptr<const CoarseSurfaces> coarse_;
+    /// Options of samples that are drawn in parts, and the next part; 0: none was drawn.
+    std::optional<ObjectViewOptions> parted_;
+    int part_ = 0;
+    bool pictured_ = false;  ///< whether shown_ has a picture of the surface
     bool drew_ = false;
     std::future<void> dropping_;  ///< destruction of the surface shown before, in the background
 };

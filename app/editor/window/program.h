@@ -59,7 +59,7 @@ class EditorProgram {
     void frame(const std::vector<InputEvent>& events);
     /// Runs until the window is closed; sleeps while nothing happens.
     void run();
-    /// Runs one turn of run()'s loop.
+    /// Runs one turn of run()'s loop, which draws only where something may have changed.
     void turn();
     /// Whether a mesh is being read, laid out or uploaded, or its texture at level 0 is not on
     /// screen.
@@ -117,6 +117,7 @@ class EditorProgram {
     void meet_texts();
     void take(const InputEvent& event);
     void take_news();
+    void keep();
     void take_screenshot();
     void follow_opening();
     void draw_screen();
@@ -183,7 +184,7 @@ class EditorProgram {
     double last_seconds_ = 0.0;  ///< time of the last frame on the window's clock
     bool opening_ = false;
     EditPace pace_;
-    int frames_to_draw_ = 3;  ///< frames still to draw until the user interface is at rest
+    EditRest rest_;
     FrameTimes times_;
 };
 

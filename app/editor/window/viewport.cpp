@@ -25,7 +25,8 @@ ObjectViewport::ObjectViewport(const GladGLContext& gl, EditSession& session,
       requests_(requests),
       atlas_(atlas),
       is_software_(is_software(gl)),
-      posed_pick_(std::move(wake)),
+      posed_pick_(wake),
+      coarse_(std::move(wake)),
       object_(gl) {}
 
 void ObjectViewport::take_tool(bool& tool) {
@@ -112,16 +113,26 @@ bool ObjectViewport::comes_to_rest() const {
     return shown != newest.get() || (shown->request < requests_.last() && !baker_.idle());
 }
 
-/// `rough`: with one sample per pixel, and where the processor works out an environment's light,
-/// with half as many pixels a side.
+/// Has coarse surfaces made where the processor draws, once the surface shown has its finest
+/// texture.
+void ObjectViewport::follow_coarse(bool opening) {
+    if (!is_software_) return;
+    if (!opening) coarse_.follow(object_.surface());
+    object_.show_coarse(coarse_.surfaces(object_.surface()));
+}
+
+/// `rough`: with one sample per pixel, by the coarse surfaces if there are any, and else where the
+/// processor works out an environment's light with half as many pixels a side.
 void ObjectViewport::draw(const ImVec2& low, const ImVec2& size, bool rough, FrameTimes& times) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     ObjectViewOptions options;
     options.camera = camera;
     options.lit = lit;
     options.light = lit ? light.light() : nullptr;
-    const int coarse = rough && options.light && is_software_ ? 2 : 1;
-    options.size = {int(size.x * scale.x) / coarse, int(size.y * scale.y) / coarse};
+    options.coarse = rough;
+    const bool slow = options.light && is_software_ && !object_.has_coarse();
+    const int halved = rough && slow ? 2 : 1;
+    options.size = {int(size.x * scale.x) / halved, int(size.y * scale.y) / halved};
     options.share = share_;
     options.edges = atlas_.edges;
     options.borders = atlas_.borders;
@@ -148,10 +159,12 @@ bool ObjectViewport::window(EditItems& items, bool opening, FrameTimes& times) {
                 rests = comes_to_rest();
                 const FrontBuffer& front = baker_.front();
                 object_.show(front.surface(), front.picture(), front.coming());
+                follow_coarse(opening);
                 object_.show_lines(object_.uploading() ? nullptr : atlas_.lines());
                 const bool rough =
                     moving_camera_ || session_.moving() || is_rough(opening) || rests;
                 draw(low, size, rough, times);
+                rests |= object_.drawing();
             });
             if (const EditPicture* picture = object_.picture())
                 coarse_sign(items, low, size, picture->level);

@@ -52,9 +52,10 @@ class GlScene {
     /// Clears a tile of the bound framebuffer to a colour.
     void clear(const SampleTile& tile, const Vec4f& color) const;
     /// Draws a tile of the picture in linear light into the bound framebuffer, over what it shows;
-    /// its depth must be cleared. Alpha is 1. Surfaces that blend are left to draw_layer().
+    /// its depth must be cleared. Alpha is 1. Surfaces that blend are left to draw_layer(). All
+    /// parts, one after the other, are the picture.
     void draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-              const GlShading& shading) const;
+              const GlShading& shading, const DrawPart& part = {}) const;
 
     /// Whether a surface blends with what lies behind it.
     bool has_layers() const;
@@ -72,6 +73,15 @@ class GlScene {
     /// screen.
     void draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                       const GlShading& shading) const;
+
+    /// Sets surfaces that stand for the scene's own while it moves (app/scene/coarse_surface.h),
+    /// with the frames of those; none: they are dropped.
+    void set_coarse(const std::vector<Surface>& surfaces, std::span<const Mat4d> frames);
+    /// Whether there are such surfaces, and all is opaque.
+    bool has_coarse() const;
+    /// Draws a tile as draw_encoded() does, of the coarse surfaces, shaded at their vertices.
+    void draw_coarse(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                     const GlShading& shading) const;
 
     /// The background colour in sRGB codes of 0..1.
     static Vec4f background_codes();
@@ -96,14 +106,17 @@ class GlScene {
     GlScenePrograms::Look look_of(const GlSurface& surface, GlScenePrograms::Look look) const;
     void bind_material(const GlProgram& program, const SceneMaterial& material) const;
     void draw_surfaces(const TileView& view, GlScenePrograms::Look look, const GlShading& shading,
-                       Drawn drawn) const;
+                       Drawn drawn, const DrawPart& part = {}) const;
+    void draw_surface(const GlSurface& surface, const TileView& view,
+                      const GlScenePrograms::Look& look, const GlShading& shading,
+                      const DrawPart& part = {}) const;
 
     const GladGLContext& gl_;
     std::shared_ptr<GlScenePrograms> programs_;
     GlTexture white_;
     std::vector<GlTexture> textures_;
     std::vector<TextureFilter> filters_;  ///< one per texture
-    std::vector<GlSurface> surfaces_;
+    std::vector<GlSurface> surfaces_, coarse_;
     std::size_t uploaded_ = 0;  ///< the number of surfaces that are uploaded completely
 };
 
