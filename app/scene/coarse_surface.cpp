@@ -47,8 +47,8 @@ std::vector<std::uint32_t> cells_of(const Surface& surface, const Vec3d& low, do
     std::vector<std::uint32_t> cells(surface.positions.size());
     for (std::size_t v = 0; v < cells.size(); ++v) {
         const Vec3d at = glm::clamp((surface.positions[v] - low) / side, 0.0, most_cells);
-        const std::uint64_t key = std::uint64_t(at.x) << 42 | std::uint64_t(at.y) << 21 |
-                                  std::uint64_t(at.z);
+        const std::uint64_t key =
+            std::uint64_t(at.x) << 42 | std::uint64_t(at.y) << 21 | std::uint64_t(at.z);
         cells[v] = numbers.try_emplace(key, std::uint32_t(numbers.size())).first->second;
     }
     count = numbers.size();

@@ -23,6 +23,9 @@ struct Durations {
 Durations durations_of(std::vector<double> milliseconds);
 Json durations_json(const Durations& durations);
 
+/// The processor time of all threads so far, in seconds.
+double processor_seconds();
+
 /// A window for benchmarks. All functions except wake() are called by one thread.
 class BenchWindow final : public GlWindow {
   public:

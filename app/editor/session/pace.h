@@ -32,9 +32,9 @@ class EditPace {
     Clock::time_point due_{};
 };
 
-/// Which turns of the frame loop draw while nothing moves by itself: after input one frame and three
-/// more, which Dear ImGui needs to come to rest, and four within the second after, so that tips come
-/// and fades end; after news of another thread two. Then none.
+/// Which turns of the frame loop draw while nothing moves by itself: after input one frame and
+/// three more, which Dear ImGui needs to come to rest, and four within the second after, so that
+/// tips come and fades end; after news of another thread two. Then none.
 class EditRest {
   public:
     static constexpr double late_seconds = 0.25;  ///< between the frames of the second after input

@@ -48,8 +48,8 @@ class GlImGui {
         bool still = false;  ///< whether its texels are unchanged since the last call
     };
     /// Redraws only the dirty rectangles over `background`; the bound framebuffer must hold what
-    /// the last call drew. A rectangle that shows any texture is dirty, except the fonts, an `image`
-    /// that is still, and textures of which `lasts` says that their texels never change.
+    /// the last call drew. A rectangle that shows any texture is dirty, except the fonts, an
+    /// `image` that is still, and textures of which `lasts` says that their texels never change.
     void update(
         const ImDrawData& data, const Vec3f& background, const OpaqueImage& image,
         const std::function<bool(ImTextureID)>& lasts = [](ImTextureID) { return false; });

@@ -121,29 +121,41 @@ void ObjectViewport::follow_coarse(bool opening) {
     object_.show_coarse(coarse_.surfaces(object_.surface()));
 }
 
-/// `rough`: with one sample per pixel, by the coarse surfaces if there are any, and else where the
-/// processor works out an environment's light with half as many pixels a side.
-void ObjectViewport::draw(const ImVec2& low, const ImVec2& size, bool rough, FrameTimes& times) {
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+/// The view at rest; `rough`: with one sample per pixel, by the coarse surfaces if there are any,
+/// and where the processor draws triangles, with half as many pixels a side.
+ObjectViewOptions ObjectViewport::options(const PictureSize& size, bool rough) const {
     ObjectViewOptions options;
+    options.size = size;
     options.camera = camera;
     options.lit = lit;
-    options.light = lit ? light.light() : nullptr;
-    options.coarse = rough;
-    const bool slow = options.light && is_software_ && !object_.has_coarse();
-    const int halved = rough && slow ? 2 : 1;
-    options.size = {int(size.x * scale.x) / halved, int(size.y * scale.y) / halved};
+    options.light = lit ? light_ : nullptr;
     options.share = share_;
     options.edges = atlas_.edges;
     options.borders = atlas_.borders;
     options.supersample = rough ? 1 : 2;
+    options.coarse = rough;
+    options.half = rough && is_software_ && (moving_camera_ || !object_.keeps_places(options));
+    return options;
+}
+
+void ObjectViewport::draw(const ImVec2& low, const ImVec2& size, bool rough, FrameTimes& times) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const PictureSize pixels{int(size.x * scale.x), int(size.y * scale.y)};
     const double began = thread_seconds();
-    const GlTexture* texture = object_.draw(options);
+    light_ = light.light();
+    const GlTexture* texture = object_.draw(options(pixels, rough));
+    if (!rough && !object_.drawing()) prepare(pixels);
     times.worked -= thread_seconds() - began;
     if (!texture) return;
     image_ = {object_.target(), !object_.drew()};
     ImGui::GetWindowDrawList()->AddImage(imgui_texture(*texture), low,
                                          {low.x + size.x, low.y + size.y});
+}
+
+/// Makes the first frame of a slider that moves ready, while nothing does.
+void ObjectViewport::prepare(const PictureSize& size) {
+    if (object_.drew()) return;
+    object_.prepare(options(size, true));
 }
 
 bool ObjectViewport::window(EditItems& items, bool opening, FrameTimes& times) {
@@ -161,6 +173,9 @@ bool ObjectViewport::window(EditItems& items, bool opening, FrameTimes& times) {
                 object_.show(front.surface(), front.picture(), front.coming());
                 follow_coarse(opening);
                 object_.show_lines(object_.uploading() ? nullptr : atlas_.lines());
+                const bool resized =
+                    std::exchange(size_, Vec2d(size.x, size.y)) != Vec2d(size.x, size.y);
+                rests |= resized;
                 const bool rough =
                     moving_camera_ || session_.moving() || is_rough(opening) || rests;
                 draw(low, size, rough, times);

@@ -66,7 +66,9 @@ class ObjectViewport {
     bool is_rough(bool opening) const;
     bool comes_to_rest() const;
     void follow_coarse(bool opening);
+    ObjectViewOptions options(const PictureSize& size, bool rough) const;
     void draw(const ImVec2& low, const ImVec2& size, bool rough, FrameTimes& times);
+    void prepare(const PictureSize& size);
 
     EditSession& session_;
     const EditBaker& baker_;
@@ -74,7 +76,9 @@ class ObjectViewport {
     GlEditAtlas& atlas_;
     bool is_software_;  ///< whether the processor draws
     bool moving_camera_ = false;
-    double share_ = 0.0;  ///< share of the way to the pose that is shown, 0 to 1
+    std::shared_ptr<const GlLight> light_;  ///< of this frame; null: the headlight
+    Vec2d size_{0.0};                       ///< of the view in the last frame
+    double share_ = 0.0;                    ///< share of the way to the pose that is shown, 0 to 1
     EditPosedPick posed_pick_;
     EditCoarse coarse_;
     GlEditObject object_;

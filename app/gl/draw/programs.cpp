@@ -78,8 +78,7 @@ GlProgram program_of(const GladGLContext& gl, const GlScenePrograms::Look& look)
 
 const GlProgram& GlScenePrograms::use(const Look& look) {
     auto found = looks_.find(look);
-    if (found == looks_.end())
-        found = looks_.emplace(look, program_of(gl_, look)).first;
+    if (found == looks_.end()) found = looks_.emplace(look, program_of(gl_, look)).first;
     const GlProgram& program = found->second;
     program.use();
     program.set("ambient", float(ambient));

@@ -247,9 +247,12 @@ bool GlScene::has_places() const {
 }
 
 void GlScene::draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                          bool lit) const {
-    clear(tile, Vec4f(0.0f));
-    draw_surfaces(TileView(camera, samples, tile), {.places = true}, {.lit = lit}, Drawn::all);
+                          bool lit, const DrawPart& part) const {
+    if (part.number == 0) clear(tile, Vec4f(0.0f));
+    gl_.Viewport(0, 0, tile.width, tile.height);
+    gl_.Enable(GL_DEPTH_TEST);
+    draw_surfaces(TileView(camera, samples, tile), {.places = true}, {.lit = lit}, Drawn::all,
+                  part);
 }
 
 bool GlScene::has_levels(const GlSurface& surface) const {

@@ -89,8 +89,9 @@ class GlScene {
     /// normal map, colour factor, vertex colours or blocks.
     bool has_places() const;
     /// Draws a tile of lookups of the surfaces' one texture: u, v, level and light of every sample.
+    /// The first part clears the tile.
     void draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                     bool lit) const;
+                     bool lit, const DrawPart& part = {}) const;
 
     /// Draws a tile of lookups of texture `number` (LookupSample, app/gl/draw/view_texels.h), whose
     /// side is `size` texels whatever was uploaded.
