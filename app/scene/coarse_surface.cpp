@@ -40,18 +40,34 @@ struct Clusters {
     std::vector<std::uint32_t> stand;  ///< per cell the vertex that stands for all
 };
 
-/// Numbers the cells, of this side, that hold vertices.
+/// The bits of a number, two zeros after each.
+std::uint64_t spread(std::uint64_t bits) {
+    bits = (bits | bits << 32) & 0x1f00000000ffff;
+    bits = (bits | bits << 16) & 0x1f0000ff0000ff;
+    bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+    bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+    return (bits | bits << 2) & 0x1249249249249249;
+}
+
+/// Numbers the cells, of this side, that hold vertices, along a Z-order curve: neighbours have
+/// near numbers, so that those who draw find vertices again that they have just worked out.
 std::vector<std::uint32_t> cells_of(const Surface& surface, const Vec3d& low, double side,
                                     std::size_t& count) {
-    std::unordered_map<std::uint64_t, std::uint32_t> numbers;
-    std::vector<std::uint32_t> cells(surface.positions.size());
-    for (std::size_t v = 0; v < cells.size(); ++v) {
+    std::vector<std::uint64_t> keys(surface.positions.size());
+    for (std::size_t v = 0; v < keys.size(); ++v) {
         const Vec3d at = glm::clamp((surface.positions[v] - low) / side, 0.0, most_cells);
-        const std::uint64_t key =
-            std::uint64_t(at.x) << 42 | std::uint64_t(at.y) << 21 | std::uint64_t(at.z);
-        cells[v] = numbers.try_emplace(key, std::uint32_t(numbers.size())).first->second;
+        keys[v] = spread(std::uint64_t(at.x)) << 2 | spread(std::uint64_t(at.y)) << 1 |
+                  spread(std::uint64_t(at.z));
     }
-    count = numbers.size();
+    std::unordered_map<std::uint64_t, std::uint32_t> numbers;
+    for (const std::uint64_t key : keys) numbers.try_emplace(key);
+    std::vector<std::uint64_t> curve;
+    for (const auto& [key, number] : numbers) curve.push_back(key);
+    std::ranges::sort(curve);
+    for (std::size_t i = 0; i < curve.size(); ++i) numbers[curve[i]] = std::uint32_t(i);
+    std::vector<std::uint32_t> cells(keys.size());
+    for (std::size_t v = 0; v < keys.size(); ++v) cells[v] = numbers[keys[v]];
+    count = curve.size();
     return cells;
 }
 

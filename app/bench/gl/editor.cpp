@@ -278,11 +278,8 @@ void print_drags(const std::vector<EditorBench>& rows) {
 
 void run_editor_bench(const BenchCommand& command) {
     const auto side = std::uint32_t(command.size_or(1024));
-    std::vector<EditorBench> drags;
-    if (!std::getenv("BURL_SKIP")) {
-        drags = bench_editor(side, "headlight");
-        for (EditorBench& row : bench_editor(side, "studio")) drags.push_back(std::move(row));
-    }  // DEBUG
+    std::vector<EditorBench> drags = bench_editor(side, "headlight");
+    for (EditorBench& row : bench_editor(side, "studio")) drags.push_back(std::move(row));
     const std::vector<FramesBench> frames = bench_frames(side);
     Json rows = Json::array();
     for (const EditorBench& row : drags) rows.push_back(drag_json(row));

@@ -44,7 +44,7 @@ class FramesOf {
         bench.faces = editor_->baker().front().surface()->triangles;
         begin();
         if (!steps.empty()) play(steps);
-        const double start = window_->seconds();
+        const double start = window_->seconds(), processor = processor_seconds();
         if (drags) {
             turn_with({{InputKind::move, middle}});
             turn_with(held(true));
@@ -57,6 +57,7 @@ class FramesOf {
         while (window_->seconds() < start + seconds) editor_->turn();
         bench.seconds = window_->seconds() - start;
         end(bench);
+        bench.processor = 1e3 * (processor_seconds() - processor) / double(bench.frames);
         window_->set_hand({});
         if (drags) turn_with(held(false));
         measure_idleness(bench);
@@ -164,21 +165,29 @@ Json frames_json(const FramesBench& bench) {
             {"frame_ms", durations_json(bench.frame)},
             {"object_ms", durations_json(bench.object)},
             {"screen_ms", durations_json(bench.screen)},
+            {"processor_ms_per_frame", bench.processor},
             {"idle_processor_share", bench.idle_share},
             {"idle_frames_per_second", bench.idle_frames}};
 }
 
 void print_frames(const std::vector<FramesBench>& rows) {
-    fmt::print("\n{:<28} {:<10} {:>8} {:>10} {:>20} {:>12} {:>12} {:>8} {:>10}\n", "done", "light",
-               "faces", "frames/s", "frame ms", "object", "screen", "idle %", "frames/s");
+    const auto line = [](const auto&... cells) {
+        fmt::print("{:<28} {:<10} {:>8} {:>9} {:>18} {:>10} {:>10} {:>10} {:>7} {:>9}\n", cells...);
+    };
+    fmt::print("\n");
+    line("done", "light", "faces", "frames", "frame ms: median,", "object", "screen", "processor",
+         "idle", "idle");
+    line("", "", "", "per s", "95 %, longest", "median ms", "median ms", "ms/frame", "%",
+         "frames/s");
+    const auto number = [](double value, int digits = 1) {
+        return fmt::format("{:.{}f}", value, digits);
+    };
     for (const FramesBench& row : rows)
-        fmt::print(
-            "{:<28} {:<10} {:>8} {:>10.1f} {:>20} {:>12} {:>12} {:>8.2f} {:>10.2f}\n", row.what,
-            row.light, row.faces, double(row.frames) / row.seconds,
+        line(
+            row.what, row.light, row.faces, number(double(row.frames) / row.seconds),
             fmt::format("{:.1f} {:.1f} {:.1f}", row.frame.median, row.frame.p95, row.frame.longest),
-            fmt::format("{:.1f} {:.1f}", row.object.median, row.object.longest),
-            fmt::format("{:.1f} {:.1f}", row.screen.median, row.screen.longest),
-            100.0 * row.idle_share, row.idle_frames);
+            number(row.object.median), number(row.screen.median), number(row.processor),
+            number(100.0 * row.idle_share, 2), number(row.idle_frames, 2));
 }
 
 }  // namespace burl

@@ -17,6 +17,7 @@ struct FramesBench {
     Durations frame{};  ///< from input to the end of drawing, OpenGL included
     /// Parts of the frame: the object, and the user interface's pixels.
     Durations object{}, screen{};
+    double processor = 0.0;  ///< processor time of all threads per frame, in milliseconds
     /// Processor time per time once all rests, and frames drawn a second.
     double idle_share = 0.0, idle_frames = 0.0;
 };

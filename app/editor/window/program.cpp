@@ -119,6 +119,7 @@ bool EditorProgram::settled() const {
 
 void EditorProgram::frame(const std::vector<InputEvent>& events) {
     window_->context().make_current();
+    ++frames_;
     times_ = {};
     const double began = thread_seconds();
     timed(times_.panels, [&] { panels(events); });
@@ -297,19 +298,27 @@ void EditorProgram::run() {
     autosave_.clear();
 }
 
+/// Runs frames until all that is there is uploaded and drawn.
+void EditorProgram::show_all() {
+    do {
+        frame({});
+    } while (viewport_.object().uploading());
+    do {
+        frame({});
+    } while (viewport_.object().drawing());
+}
+
 void EditorProgram::settle() {
     while (loader_.files().settle()) frame({});
     commands_.wait();
     baker_.hold_jobs(false);
     baker_.wait();
-    do {
-        frame({});
-    } while (viewport_.object().uploading() || viewport_.object().drawing());
-    frame({});
+    show_all();
     viewport_.wait();
     side_.wait();
     if (node_gallery_) node_gallery_->wait();
     atlas_.wait();
+    show_all();
     window_->present();
 }
 

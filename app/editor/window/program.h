@@ -97,6 +97,8 @@ class EditorProgram {
     bool shown_smooth() const { return viewport_.object().drawn_samples() > 1; }
     /// The window's title: recipe and mesh, with a star where there are unsaved changes.
     std::string title() const;
+    /// The number of frames so far.
+    std::uint64_t frames() const { return frames_; }
     /// The times of the last frame.
     const FrameTimes& times() const { return times_; }
 
@@ -122,6 +124,7 @@ class EditorProgram {
     void follow_opening();
     void draw_screen();
     std::vector<InputEvent> until_due();
+    void show_all();
     void settle();
     // layout.cpp: the windows of a frame, menus and shortcuts
     void shortcuts();
@@ -186,6 +189,7 @@ class EditorProgram {
     EditPace pace_;
     EditRest rest_;
     FrameTimes times_;
+    std::uint64_t frames_ = 0;
 };
 
 }  // namespace burl

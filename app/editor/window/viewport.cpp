@@ -134,7 +134,8 @@ ObjectViewOptions ObjectViewport::options(const PictureSize& size, bool rough) c
     options.borders = atlas_.borders;
     options.supersample = rough ? 1 : 2;
     options.coarse = rough;
-    options.half = rough && is_software_ && (moving_camera_ || !object_.keeps_places(options));
+    options.half = rough && is_software_ && !object_.has_coarse() &&
+                   (moving_camera_ || !object_.keeps_places(options));
     return options;
 }
 
