@@ -42,7 +42,11 @@ struct DestroyWindow {
 };
 using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
-WindowHandle open_window(const glm::ivec2& size, const std::string& title) {
+/// Opens a window whose context shares the objects of another's (null: of none); it is seen unless
+/// there is another.
+WindowHandle open_window(const glm::ivec2& size, const std::string& title,
+                         GLFWwindow* shared = nullptr) {
+    glfwWindowHint(GLFW_VISIBLE, shared ? GLFW_FALSE : GLFW_TRUE);
     glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
@@ -50,7 +54,7 @@ WindowHandle open_window(const glm::ivec2& size, const std::string& title) {
     for (const auto& [major, minor] : gl_versions) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
-        if (WindowHandle window{glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr)})
+        if (WindowHandle window{glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, shared)})
             return window;
     }
     throw Error(ExitCode::unsupported,
@@ -61,15 +65,26 @@ WindowHandle open_window(const glm::ivec2& size, const std::string& title) {
 
 class DesktopContext final : public GlContext {
   public:
-    explicit DesktopContext(GLFWwindow* window) : window_(window) {
+    /// The context of a window; `owned` is that window where nobody else owns it.
+    explicit DesktopContext(GLFWwindow* window, WindowHandle owned = nullptr)
+        : owned_(std::move(owned)), window_(window) {
         make_current();
         load_functions("the display");
     }
     void make_current() override { glfwMakeContextCurrent(window_); }
+    void release() override { glfwMakeContextCurrent(nullptr); }
+    std::unique_ptr<GlContext> share() override {
+        WindowHandle hidden = open_window({16, 16}, "Burl", window_);
+        GLFWwindow* const window = hidden.get();
+        auto other = std::make_unique<DesktopContext>(window, std::move(hidden));
+        make_current();
+        return other;
+    }
     GlProcedure get_proc(const char* name) override { return glfwGetProcAddress(name); }
     std::string origin() const override { return "GLFW"; }
 
   private:
+    WindowHandle owned_;
     GLFWwindow* window_;
 };
 
