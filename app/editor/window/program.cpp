@@ -63,6 +63,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
     if (options.gallery) node_gallery_.emplace(window_->context().gl(), wake());
     if (options.preferences.empty()) preferences_.welcomed = true;  // a script knows what to do
     viewport_.light.choose(light_chosen(options.light, window_->context().gl()));
+    choose_synthesis(options.synthesis);
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
 }
 

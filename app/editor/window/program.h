@@ -37,6 +37,8 @@ struct EditorOptions {
     /// graphics processor, headlight where OpenGL is software, which takes four times as long for
     /// the former.
     std::string light = "auto";
+    /// Who makes the texture (EditSynthesis).
+    EditSynthesis synthesis = EditSynthesis::automatic;
     double ui_scale = 1.0;
     /// Path of the autosave file (app/editor/session/autosave.h); empty: none.
     std::string autosave{};
@@ -141,6 +143,11 @@ class EditorProgram {
     void atlas_window();
     void first_steps(const ImVec2& corner);
     void notices(float bottom);
+    // synthesis.cpp: who makes the texture
+    void offer_context(EditSynthesis by);
+    void choose_synthesis(EditSynthesis by);
+    void synthesis_menu();
+    void passes_badge(const ImVec2& low, const ImVec2& size);
     // graph.cpp: the graph in the window
     GraphHooks graph_hooks();
     float graph_height(float room);

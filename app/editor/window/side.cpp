@@ -80,6 +80,7 @@ MetricsView SidePanels::metrics(const FrontBuffer& front) {
     }
     if (const auto picture = front.picture()) {
         view.facts.emplace_back("level shown", fmt::format("{}", picture->level));
+        view.facts.emplace_back("texture by", picture->by);
         view.facts.emplace_back("made in", fmt::format("{:.1f} ms", 1e3 * picture->seconds));
     }
     view.facts.emplace_back("instructions", simd_level());

@@ -113,6 +113,17 @@ void make_levels(const GladGLContext& gl, const GlTexture& texture) {
     gl.GenerateMipmap(GL_TEXTURE_2D);
 }
 
+Image<Rgb8> read_texels(const GladGLContext& gl, const GlPictures& pictures) {
+    const auto side = std::size_t(pictures.side);
+    Image<Rgb8> texels(side, side);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, pictures.images[0].get());
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_UNSIGNED_BYTE, texels.row(0).data());
+    check_gl(gl, "reading a texture");
+    return texels;
+}
+
 std::shared_ptr<GlPictures> GlPicturePool::take(int side, const std::vector<bool>& is_color) {
     std::erase_if(kept_, [&](const auto& one) {
         return one.use_count() == 1 && (one->side != side || one->is_color != is_color);

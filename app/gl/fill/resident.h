@@ -109,6 +109,9 @@ class GlPassMaker {
     ShownPass shown_;
 };
 
+/// The texels of the base colour in host memory.
+Image<Rgb8> read_texels(const GladGLContext& gl, const GlPictures& pictures);
+
 /// Draws all MIP levels below level 0 of a texture by OpenGL, in linear light where it is sRGB.
 void make_levels(const GladGLContext& gl, const GlTexture& texture);
 
