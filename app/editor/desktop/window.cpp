@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <optional>
 #include <utility>
 
@@ -191,7 +192,11 @@ class DesktopWindow final : public GlWindow {
             glfwPollEvents();
         return std::exchange(events_, {});
     }
-    void wake() override { glfwPostEmptyEvent(); }
+    void wake() override {
+        news_ = true;
+        glfwPostEmptyEvent();
+    }
+    bool take_news() override { return news_.exchange(false); }
     double text_scale() const override {
         float scale = 1.0f, unused = 1.0f;
         glfwGetWindowContentScale(window_.get(), &scale, &unused);
@@ -273,6 +278,7 @@ class DesktopWindow final : public GlWindow {
             self(w).add(InputKind::wheel).at = {x, y};
         });
         glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int) {
+            if (action == GLFW_REPEAT) self(w).news_ = true;  // Dear ImGui repeats keys by itself
             std::string name = name_of_key(key, scancode);
             if (name.empty() || action == GLFW_REPEAT) return;
             InputEvent& event = self(w).add(InputKind::key);
@@ -289,6 +295,7 @@ class DesktopWindow final : public GlWindow {
         glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int x, int y) {
             self(w).add(InputKind::resize).at = {x, y};
         });
+        glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { self(w).news_ = true; });
         glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
             glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides, and may ask first
             self(w).add(InputKind::close);
@@ -300,6 +307,7 @@ class DesktopWindow final : public GlWindow {
     DesktopContext context_;
     std::optional<GlTarget> screen_;
     std::vector<InputEvent> events_;
+    std::atomic<bool> news_ = false;  ///< of other threads or of the display
     int held_ = 0;  ///< GLFW's bits of the modifiers whose press was the last that was heard of
 };
 

@@ -213,7 +213,7 @@ void EditorProgram::layout() {
     place_next_window(panes.tools);
     toolbar();
     place_next_window(panes.object);
-    if (viewport_.window(items_, opening_, times_)) frames_to_draw_ = std::max(frames_to_draw_, 1);
+    if (viewport_.window(items_, opening_, times_)) rest_.ask(1);
     place_next_window(panes.atlas);
     if (atlas_.state.shown) atlas_window();
     graph_window({0.0f, wishes.size.y}, {display.x, display.y - wishes.size.y});

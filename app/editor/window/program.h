@@ -61,7 +61,7 @@ class EditorProgram {
     void frame(const std::vector<InputEvent>& events);
     /// Runs until the window is closed; sleeps while nothing happens.
     void run();
-    /// Runs one turn of run()'s loop.
+    /// Runs one turn of run()'s loop, which draws only where something may have changed.
     void turn();
     /// Whether a mesh is being read, laid out or uploaded, or its texture at level 0 is not on
     /// screen.
@@ -99,6 +99,8 @@ class EditorProgram {
     bool shown_smooth() const { return viewport_.object().drawn_samples() > 1; }
     /// The window's title: recipe and mesh, with a star where there are unsaved changes.
     std::string title() const;
+    /// The number of frames so far.
+    std::uint64_t frames() const { return frames_; }
     /// The times of the last frame.
     const FrameTimes& times() const { return times_; }
 
@@ -119,10 +121,12 @@ class EditorProgram {
     void meet_texts();
     void take(const InputEvent& event);
     void take_news();
+    void keep();
     void take_screenshot();
     void follow_opening();
     void draw_screen();
     std::vector<InputEvent> until_due();
+    void show_all();
     void settle();
     // layout.cpp: the windows of a frame, menus and shortcuts
     void shortcuts();
@@ -190,8 +194,9 @@ class EditorProgram {
     double last_seconds_ = 0.0;  ///< time of the last frame on the window's clock
     bool opening_ = false;
     EditPace pace_;
-    int frames_to_draw_ = 3;  ///< frames still to draw until the user interface is at rest
+    EditRest rest_;
     FrameTimes times_;
+    std::uint64_t frames_ = 0;
 };
 
 }  // namespace burl

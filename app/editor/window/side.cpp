@@ -14,8 +14,10 @@ ImTextureID GlEditGallery::picture(const std::string& preset, int side) {
         return imgui_texture(found->second);
     const auto image = thumbnails_.picture(preset, side);
     if (!image) return nullptr;
-    return imgui_texture(
-        textures_.emplace(key, upload_levels(*gl_, picture_levels(*image), GL_RGB8)).first->second);
+    GlTexture texture = upload_levels(*gl_, picture_levels(*image), GL_RGB8);
+    const ImTextureID id = imgui_texture(textures_.emplace(key, std::move(texture)).first->second);
+    shown_.insert(id);
+    return id;
 }
 
 SidePanels::SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake)
