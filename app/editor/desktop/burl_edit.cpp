@@ -49,8 +49,8 @@ void run(Command command) {
 int main(int argc, char** argv) {
     CLI::App program{"Texture editor: open a mesh, move sliders, save a .glb"};
     Command command;
-    std::vector<std::string> lights = burl::light_names();
-    lights.emplace_back("auto");
+    command.editor.recipe = "malachite";  // what shows best, in the studio, what there is to edit
+    const std::vector<std::string> lights = burl::light_names();
     const auto& synths = burl::enum_names<burl::EditSynthesis>;
     const auto platforms = burl::gl_platforms();
     program.set_version_flag("--version", std::string(burl::burl_version()));
@@ -64,8 +64,7 @@ int main(int argc, char** argv) {
                        "Edit of the recipe: path=value or control=value");
     program
         .add_option("--light", command.editor.light,
-                    "Light of the object: a built-in environment, headlight, or auto: studio on a "
-                    "graphics processor, headlight on software OpenGL, which is slow at the former")
+                    "Light of the object: a built-in environment, or headlight")
         ->check(burl::one_of(lights))
         ->capture_default_str();
     program

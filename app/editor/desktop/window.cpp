@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -62,6 +63,30 @@ WindowHandle open_window(const glm::ivec2& size, const std::string& title,
                 fmt::format("this display gives no window with OpenGL 3.3 core ({}); install a "
                             "graphics driver, or run without a window: --script FILE --unseen",
                             last_problem()));
+}
+
+struct DestroyCursor {
+    void operator()(GLFWcursor* cursor) const { glfwDestroyCursor(cursor); }
+};
+using CursorHandle = std::unique_ptr<GLFWcursor, DestroyCursor>;
+
+int glfw_shape(PointerShape shape) {
+    switch (shape) {
+        case PointerShape::text:
+            return GLFW_IBEAM_CURSOR;
+        case PointerShape::cross:
+            return GLFW_CROSSHAIR_CURSOR;
+        case PointerShape::hand:
+            return GLFW_HAND_CURSOR;
+        case PointerShape::resize_sideways:
+            return GLFW_HRESIZE_CURSOR;
+        case PointerShape::resize_upright:
+            return GLFW_VRESIZE_CURSOR;
+        case PointerShape::arrow:
+        case PointerShape::none:
+            break;
+    }
+    return GLFW_ARROW_CURSOR;
 }
 
 class DesktopContext final : public GlContext {
@@ -210,6 +235,12 @@ class DesktopWindow final : public GlWindow {
     void set_title(const std::string& title) override {
         glfwSetWindowTitle(window_.get(), title.c_str());
     }
+    void show_pointer(PointerShape shape) override {
+        const bool hidden = shape == PointerShape::none;
+        glfwSetInputMode(window_.get(), GLFW_CURSOR,
+                         hidden ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+        if (!hidden) glfwSetCursor(window_.get(), cursor(shape));
+    }
     std::string clipboard() const override {
         const char* text = glfwGetClipboardString(window_.get());
         return text != nullptr ? text : "";
@@ -234,6 +265,15 @@ class DesktopWindow final : public GlWindow {
         gl.BlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT,
                            GL_NEAREST);
         screen_->bind();
+    }
+
+    /// The display's cursor of a shape, made when it is first wanted; null, the arrow, where the
+    /// display has none of that shape.
+    GLFWcursor* cursor(PointerShape shape) {
+        if (shape == PointerShape::arrow) return nullptr;
+        CursorHandle& handle = cursors_[shape];
+        if (!handle) handle.reset(glfwCreateStandardCursor(glfw_shape(shape)));
+        return handle.get();
     }
 
     static DesktopWindow& self(GLFWwindow* window) {
@@ -304,6 +344,7 @@ class DesktopWindow final : public GlWindow {
 
     GlfwLibrary library_;
     WindowHandle window_;
+    std::map<PointerShape, CursorHandle> cursors_;
     DesktopContext context_;
     std::optional<GlTarget> screen_;
     std::vector<InputEvent> events_;

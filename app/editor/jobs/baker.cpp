@@ -25,8 +25,10 @@ std::uint32_t coarsest_level(std::uint32_t size) {
     return size > coarsest_side ? std::uint32_t(std::bit_width(size / coarsest_side)) - 1 : 0;
 }
 
-/// Whether the recipes differ in paint at most: the pipeline then still has the unpainted texture.
+/// Whether the recipes differ in paint over the texture at most: the pipeline then still has the
+/// unpainted texture.
 bool only_paint_differs(Recipe before, const Recipe& now) {
+    if (mask_strokes(before.paint) != mask_strokes(now.paint)) return false;
     before.paint = now.paint;
     return before == now;
 }

@@ -201,8 +201,12 @@ void EditorProgram::layout() {
     menu();
     const PanelContext context{session_, items_};
     const bool timeline = session_.timeline.open;
-    PaneWishes wishes{ImGui::GetIO().DisplaySize, ImGui::GetFrameHeight(), ImGui::GetFrameHeight(),
-                      atlas_.state.shown, 0.0f};
+    PaneWishes wishes{ImGui::GetIO().DisplaySize,
+                      ImGui::GetFrameHeight(),
+                      ImGui::GetFrameHeight(),
+                      atlas_.state.shown,
+                      0.0f,
+                      tool_lines_};
     // The graph lies below all else, over the window's whole width.
     const ImVec2 display = wishes.size;
     wishes.size.y -= graph_height(display.y - wishes.top);
