@@ -19,11 +19,12 @@ constexpr std::size_t most_drawn = 600;  // pictures kept, of some 12 KB each
 
 NodePictures::NodePictures(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-void NodePictures::request(const Recipe& recipe, const std::vector<std::string>& places, int side) {
+void NodePictures::request(const Recipe& recipe, const std::string& mesh,
+                           const std::vector<std::string>& places, int side) {
     const auto shared = std::make_shared<const Recipe>(recipe);
     for (const std::string& place : places)
-        jobs_.add([this, shared, place, side](const std::stop_token& stop) {
-            if (!stop.stop_requested()) make(*shared, place, side);
+        jobs_.add([this, shared, mesh, place, side](const std::stop_token& stop) {
+            if (!stop.stop_requested()) make(*shared, mesh, place, side);
         });
 }
 
@@ -39,19 +40,34 @@ NodePictures::Picture NodePictures::known(const std::string& key) {
     return found == drawn_.end() ? nullptr : found->second;
 }
 
-void NodePictures::make(const Recipe& recipe, const std::string& place, int side) {
+/// Averages would be grey where a node is finer than the ball's pixels.
+NodePictures::Picture NodePictures::drawn_on_ball(const Recipe& look, int side) {
+    return std::make_shared<const Image<Rgb8>>(ball_picture(look, side, "none"));
+}
+
+NodePictures::Picture NodePictures::drawn_on_mesh(const Recipe& look, const std::string& mesh,
+                                                  int side) {
+    if (std::exchange(mesh_path_, mesh) != mesh) {
+        mesh_.reset();
+        mesh_.emplace(mesh);
+    }
+    return mesh_ ? std::make_shared<const Image<Rgb8>>(mesh_->picture(look, side)) : nullptr;
+}
+
+void NodePictures::make(const Recipe& recipe, const std::string& mesh, const std::string& place,
+                        int side) {
     std::string key;
     Picture picture;
     try {
         Recipe look = look_at(recipe, place).recipe;
+        const bool masked = reads_masks(look);
         look.name.clear();
         look.about.clear();
         look.atlas = {};
-        key = fmt::format("{} {}", side, to_json(look));
+        key = fmt::format("{} {} {}", side, masked ? mesh : "", to_json(look));
         picture = known(key);
-        // Averages would be grey where a node is finer than the ball's pixels.
         if (!picture)
-            picture = std::make_shared<const Image<Rgb8>>(ball_picture(look, side, "none"));
+            picture = masked ? drawn_on_mesh(look, mesh, side) : drawn_on_ball(look, side);
     } catch (const Error&) {  // a node that cannot be drawn by itself has no picture
     }
     {

@@ -1,13 +1,16 @@
 #pragma once
-// Pictures of what the nodes of a graph give, each on a ball, drawn beside the user interface.
+// Pictures of what the nodes of a graph give, each on a ball, or on the object where it reads
+// masks, drawn beside the user interface.
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/editor/jobs/mesh_picture.h"
 #include "app/editor/jobs/worker.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/image.h"
@@ -22,13 +25,15 @@ class NodePictures {
     /// `wake` is called by the drawing thread after every picture.
     explicit NodePictures(std::function<void()> wake);
 
-    /// Asks for pictures of the nodes at places of `recipe`, side x side pixels. A picture that is
-    /// there already is not drawn again.
-    void request(const Recipe& recipe, const std::vector<std::string>& places, int side);
+    /// Asks for pictures of the nodes at places of `recipe`, side x side pixels, on a ball or on
+    /// the mesh of a file (or sample:NAME), which is read when it is first wanted. A picture that
+    /// is there already is not drawn again.
+    void request(const Recipe& recipe, const std::string& mesh,
+                 const std::vector<std::string>& places, int side);
     /// Drops what was asked for and is not drawn yet.
     void cancel() { jobs_.cancel(); }
     /// The newest picture for a place; null: none is drawn yet, or the node cannot be drawn by
-    /// itself, as masks cannot.
+    /// itself.
     Picture picture(const std::string& place) const;
 
     /// While held, no picture is begun.
@@ -37,7 +42,9 @@ class NodePictures {
     void wait() const { jobs_.wait(); }
 
   private:
-    void make(const Recipe& recipe, const std::string& place, int side);
+    void make(const Recipe& recipe, const std::string& mesh, const std::string& place, int side);
+    Picture drawn_on_ball(const Recipe& look, int side);
+    Picture drawn_on_mesh(const Recipe& look, const std::string& mesh, int side);
     Picture known(const std::string& key);
 
     std::function<void()> wake_;
@@ -45,7 +52,10 @@ class NodePictures {
     // `mutex_` guards places_ and drawn_.
     std::map<std::string, Picture> places_;  ///< pictures by places
     std::map<std::string, Picture> drawn_;   ///< pictures by side and JSON of what they show
-    JobQueue jobs_;                          ///< last member: its thread uses all the others
+    // The drawing thread's alone.
+    std::string mesh_path_;
+    std::optional<MeshPictures> mesh_;  ///< of mesh_path_; none: not read, or it cannot be
+    JobQueue jobs_;                     ///< last member: its thread uses all the others
 };
 
 }  // namespace burl

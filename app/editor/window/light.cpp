@@ -27,6 +27,7 @@ std::shared_ptr<const GlLight> EditLight::light() {
     const bool ready =
         coming_.valid() && coming_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     if (ready) light_ = std::make_shared<const GlLight>(*gl_, coming_.get());
+    lit_ = lit_ || !coming_.valid();
     return light_;
 }
 

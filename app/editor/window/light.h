@@ -27,6 +27,8 @@ class EditLight {
     /// context must be current.
     std::shared_ptr<const GlLight> light();
 
+    /// Whether the first light of all is still being prepared, before which nothing is lit.
+    bool begins() const { return coming_.valid() && !light_ && !lit_; }
     /// Whether the light chosen is the one that light() last returned.
     bool idle() const { return !coming_.valid(); }
     void wait() const {
@@ -39,6 +41,7 @@ class EditLight {
     std::string name_{headlight};
     std::shared_ptr<const GlLight> light_;
     std::future<PrefilteredLight> coming_;
+    bool lit_ = false;  ///< whether light() has returned the light chosen
 };
 
 }  // namespace burl

@@ -14,9 +14,9 @@ constexpr std::size_t most_node_textures = 600;
 
 }  // namespace
 
-void GlNodeGallery::follow(const EditGraph& graph, EditSession& session) {
+void GlNodeGallery::follow(const EditGraph& graph, EditSession& session, const std::string& mesh) {
     if (!graph.shown || session.moving()) return;
-    if (revision_ != session.history().revision()) {
+    if (revision_ != session.history().revision() || std::exchange(mesh_, mesh) != mesh) {
         revision_ = session.history().revision();
         asked_.clear();
         pictures_.cancel();
@@ -24,7 +24,7 @@ void GlNodeGallery::follow(const EditGraph& graph, EditSession& session) {
     std::vector<std::string> places;
     for (const std::string& place : graph.seen())
         if (asked_.insert(place).second) places.push_back(place);
-    if (!places.empty()) pictures_.request(session.still(), places, picture_pixels);
+    if (!places.empty()) pictures_.request(session.still(), mesh, places, picture_pixels);
 }
 
 ImTextureID GlNodeGallery::picture(const GraphNodeView& node) {

@@ -158,7 +158,10 @@ const GlTexture* GlEditObject::texture() const {
 void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
     const int colors = baked_material(surface_->scene).texture;
     const EditMaterial* material = picture->material.get();
-    if (!material || !material->pictures.contains(colors)) upload(colors, picture->levels);
+    borrow(picture->resident);
+    const bool made_here = picture->resident.pictures != nullptr;
+    if (!made_here && (!material || !material->pictures.contains(colors)))
+        upload(colors, picture->levels);
     if (material && (!picture_ || material != picture_->material.get())) {
         scene_->set_material(material->numbers);
         for (const auto& [number, levels] : material->pictures) upload(number, levels);
@@ -167,6 +170,14 @@ void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
     picture_ = picture;
     drawn_.reset();
     parted_.reset();
+}
+
+/// Has the scene show the textures that OpenGL made, or its own where it made none.
+void GlEditObject::borrow(const ResidentPicture& resident) {
+    for (std::size_t i = 0; i < surface_->scene.textures.size(); ++i)
+        scene_->lend_texture(int(i), nullptr);
+    for (std::size_t i = 0; i < resident.numbers.size(); ++i)
+        scene_->lend_texture(resident.numbers[i], &resident.pictures->images[i]);
 }
 
 /// Uploads the levels of the scene's texture `number`.

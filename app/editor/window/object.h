@@ -106,6 +106,7 @@ class GlEditObject {
     void begin(const std::shared_ptr<const EditSurface>& surface);
     void take_over();
     void upload(const std::shared_ptr<const EditPicture>& picture);
+    void borrow(const ResidentPicture& resident);
     void upload(int number, const std::vector<Image<Rgba8>>& levels);
     void upload_normals(std::shared_ptr<const Image<Rgb8>> normals);
     void make_target(std::optional<GlDepthTarget>& target, const PictureSize& size, GLenum format);

@@ -22,10 +22,25 @@ namespace burl {
 
 namespace {
 
-/// Returns the light for an option's value, of which "auto" depends on OpenGL.
-std::string light_chosen(const std::string& option, const GladGLContext& gl) {
-    if (option != "auto") return option;
-    return is_software(gl) ? std::string(EditLight::headlight) : "studio";
+/// The pointer's shape for a cursor of ImGui, whose "resize all" stands for a cross: nothing here
+/// is resized in all directions.
+PointerShape pointer_of(ImGuiMouseCursor cursor) {
+    switch (cursor) {
+        case ImGuiMouseCursor_TextInput:
+            return PointerShape::text;
+        case ImGuiMouseCursor_ResizeAll:
+            return PointerShape::cross;
+        case ImGuiMouseCursor_Hand:
+            return PointerShape::hand;
+        case ImGuiMouseCursor_ResizeEW:
+            return PointerShape::resize_sideways;
+        case ImGuiMouseCursor_ResizeNS:
+            return PointerShape::resize_upright;
+        case ImGuiMouseCursor_None:
+            return PointerShape::none;
+        default:
+            return PointerShape::arrow;
+    }
 }
 
 }  // namespace
@@ -62,7 +77,8 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       side_(window_->context(), options.gallery, wake()) {
     if (options.gallery) node_gallery_.emplace(window_->context().gl(), wake());
     if (options.preferences.empty()) preferences_.welcomed = true;  // a script knows what to do
-    viewport_.light.choose(light_chosen(options.light, window_->context().gl()));
+    viewport_.light.choose(options.light);
+    choose_synthesis(options.synthesis);
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
 }
 
@@ -216,6 +232,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     shortcuts();
     layout();
     ImGui::Render();
+    window_->set_pointer(pointer_of(ImGui::GetMouseCursor()));
     requests_.update(atlas_.state.shown);
     atlas_.follow(baker_.front(), requests_.last(), requests_.last_recipe());
     follow_opening();

@@ -33,10 +33,9 @@ namespace burl {
 struct EditorOptions {
     std::string mesh = "sample:teapot", recipe = "marble";
     std::vector<std::string> settings{};
-    /// The light of the object: a built-in environment, "headlight", or "auto": studio on a
-    /// graphics processor, headlight where OpenGL is software, which takes four times as long for
-    /// the former.
-    std::string light = "auto";
+    std::string light = "studio";  ///< a built-in environment, or "headlight"
+    /// Who makes the texture (EditSynthesis).
+    EditSynthesis synthesis = EditSynthesis::automatic;
     double ui_scale = 1.0;
     /// Path of the autosave file (app/editor/session/autosave.h); empty: none.
     std::string autosave{};
@@ -86,6 +85,9 @@ class EditorProgram {
     EditPreferences& preferences() { return preferences_; }
     const GlEditAtlas& atlas() const { return atlas_; }
     const EditGraph& graph() const { return graph_; }
+    const PaintTool& paint_tool() const { return viewport_.paint.tool; }
+    /// The shape of the pointer over the window.
+    PointerShape pointer() const { return window_->pointer(); }
     const TextureRequests& requests() const { return requests_; }
     const EditOpenFiles& files() const { return loader_.files(); }
     FileDialog& dialog() { return commands_.dialog(); }
@@ -145,6 +147,11 @@ class EditorProgram {
     void atlas_window();
     void first_steps(const ImVec2& corner);
     void notices(float bottom);
+    // synthesis.cpp: who makes the texture
+    void offer_context(EditSynthesis by);
+    void choose_synthesis(EditSynthesis by);
+    void synthesis_menu();
+    void passes_badge(const ImVec2& low, const ImVec2& size);
     // graph.cpp: the graph in the window
     GraphHooks graph_hooks();
     float graph_height(float room);
@@ -177,6 +184,7 @@ class EditorProgram {
     /// The look of the last frame.
     double shown_scale_ = 0.0;
     Theme shown_theme_ = Theme::dark;
+    int tool_lines_ = 1;     ///< lines that the tools took in the last frame
     std::string seen_mesh_;  ///< mesh of the last frame
     FirstSteps steps_;
     std::string met_line_;            ///< last line of the log whose characters are known

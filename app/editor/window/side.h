@@ -52,9 +52,19 @@ struct SideParts {
     std::set<std::string>& favourites;  ///< the library's
 };
 
+/// The labels of tabs: their names, icons with the name of the one in front, or icons alone.
+enum class TabLabels { names, one_name, icons };
+
 /// Draws the tabs. All functions are called by the user interface's thread.
 class SidePanels {
   public:
+    /// A tab: its name, its icon, and what it shows.
+    struct Tab {
+        const char* name;
+        const char* icon;
+        const char* tip;
+    };
+
     /// `gallery`: whether presets have thumbnails. `wake` is called by other threads when there is
     /// something new to show.
     SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake);
@@ -74,12 +84,15 @@ class SidePanels {
     void wait() const;
 
   private:
+    bool begin_tab(EditItems& items, const Tab& tab, bool front);
     MetricsView metrics(const FrontBuffer& front);
 
     GlContext& context_;
     StopSelection stop_;
     LibraryView library_;
     std::string node_shown_;
+    std::string front_;  ///< the tab in front
+    TabLabels labels_ = TabLabels::names;
     std::optional<GlEditGallery> gallery_;
     EditFigures figures_;
 };

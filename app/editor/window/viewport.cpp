@@ -77,6 +77,11 @@ void ObjectViewport::input(const ImVec2& low, const ImVec2& size, EditItems& ite
     const bool moves = move.input(view(low, size), session_);
     moving_camera_ = ImGui::IsItemActive() && !paints && !moves;
     move_camera(size);
+    const bool points = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (points && paint.tool.on && !moving_camera_)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);  // a cross
+    else if (points && (move.on || moving_camera_))
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
 void ObjectViewport::move_camera(const ImVec2& size) {
@@ -179,7 +184,8 @@ bool ObjectViewport::window(EditItems& items, bool opening, FrameTimes& times) {
                 rests |= resized;
                 const bool rough =
                     moving_camera_ || session_.moving() || is_rough(opening) || rests;
-                draw(low, size, rough, times);
+                // The first picture of all waits for its light, which takes half a second.
+                if (!lit || !light.begins()) draw(low, size, rough, times);
                 rests |= object_.drawing();
             });
             if (const EditPicture* picture = object_.picture())

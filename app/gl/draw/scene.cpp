@@ -114,6 +114,7 @@ void GlScene::make_textures(const Scene& scene, std::optional<TextureFilter> fil
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         filters_.push_back(drawn_filter(scene, int(i), filter));
         textures_.push_back(burl::upload(gl_, scene.textures[i], filters_.back()));
+        lent_.push_back(nullptr);
     }
     white_ = burl::upload(gl_, {Image<Rgb8>(1, 1, {255, 255, 255})}, TextureFilter::nearest);
 }
@@ -131,6 +132,10 @@ bool GlScene::upload(const Scene& scene, std::size_t bytes) {
 void GlScene::set_texture(int number, const SceneTexture& texture) {
     const auto n = std::size_t(number);
     textures_[n] = burl::upload(gl_, texture, filters_[n]);
+}
+
+void GlScene::lend_texture(int number, const GlTexture* lent) {
+    lent_[std::size_t(number)] = lent;
 }
 
 void GlScene::set_material(const SceneMaterial& material) {
@@ -152,9 +157,8 @@ void GlScene::clear(const SampleTile& tile, const Vec4f& color) const {
 
 /// Binds a texture of the scene, or a white one for a negative number.
 void GlScene::bind(GLenum unit, int number) const {
-    const GlTexture& texture = number < 0 ? white_ : textures_[std::size_t(number)];
     gl_.ActiveTexture(unit);
-    gl_.BindTexture(GL_TEXTURE_2D, texture.get());
+    gl_.BindTexture(GL_TEXTURE_2D, (number < 0 ? white_ : texture(number)).get());
 }
 
 void GlScene::draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,

@@ -41,13 +41,18 @@ class GlScene {
 
     /// Replaces the pixels of texture `number`; its filter stays.
     void set_texture(int number, const SceneTexture& texture);
+    /// Has texture `number` be one that somebody else owns, with a filter of its own; null: none.
+    void lend_texture(int number, const GlTexture* lent);
 
     /// Replaces the material of all surfaces.
     void set_material(const SceneMaterial& material);
     /// Sets the weight, 0..1, of the morph targets of all surfaces that have one.
     void set_target_share(double share);
 
-    const GlTexture& texture(int number) const { return textures_[std::size_t(number)]; }
+    const GlTexture& texture(int number) const {
+        const GlTexture* const lent = lent_[std::size_t(number)];
+        return lent ? *lent : textures_[std::size_t(number)];
+    }
 
     /// Clears a tile of the bound framebuffer to a colour.
     void clear(const SampleTile& tile, const Vec4f& color) const;
@@ -116,6 +121,7 @@ class GlScene {
     std::shared_ptr<GlScenePrograms> programs_;
     GlTexture white_;
     std::vector<GlTexture> textures_;
+    std::vector<const GlTexture*> lent_;  ///< in the place of textures_; null: none
     std::vector<TextureFilter> filters_;  ///< one per texture
     std::vector<GlSurface> surfaces_, coarse_;
     std::size_t uploaded_ = 0;  ///< the number of surfaces that are uploaded completely

@@ -277,7 +277,7 @@ class GlEditRandomTest : public GlTest {
         options.recent = folder / "state/recent";
         options.gallery = false;
         make_files();  // whatever was saved there
-        auto unseen = create_unseen_window(create_osmesa_context(), {400, 320});
+        auto unseen = create_unseen_window(create_test_context(), {400, 320});
         window = unseen.get();
         editor = std::make_unique<EditorProgram>(std::move(unseen), options);
         first = editor->session().recipe();
