@@ -13,12 +13,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// The view, at least view_cosine(0) above the normal's horizon.
-Vec3d lifted(const Vec3d& view, const Vec3d& normal) {
-    const double cosine = glm::dot(normal, view), least = view_cosine(0.0);
-    return cosine >= least ? view : glm::normalize(view + (least - cosine) * normal);
-}
-
 /// The unit vector half way between two directions; the normal where they are opposite.
 Vec3d half_way(const Vec3d& light, const Vec3d& view, const Vec3d& normal) {
     const Vec3d sum = light + view;
