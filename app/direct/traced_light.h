@@ -4,6 +4,7 @@
 // Techniques for Monte Carlo Rendering", 1995), as far as nothing stands in their way. Light that
 // other surfaces send on is left out: what is blocked is dark.
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "app/direct/blockers.h"
@@ -27,27 +28,29 @@ struct LitPoint {
     Vec3d view{0.0, 1.0, 0.0};    ///< unit, towards the eye
 };
 
-/// An environment, what blocks its light, and how many directions are summed.
+/// The light of an environment at points of surfaces.
 class TracedLight {
   public:
-    /// `rays` directions per point; 0 shades by the prefiltered environment, without shadows, as
-    /// OpenGL does. Nothing blocks light where `blockers` is null, which must outlive this object.
+    /// Sums over `rays` directions per point, at least 1. Nothing blocks light where `blockers` is
+    /// null, which must outlive this object.
     TracedLight(Environment environment, int rays, const Blockers* blockers);
+    /// Shades by prefiltered light, without shadows, as OpenGL does.
+    explicit TracedLight(std::shared_ptr<const PrefilteredLight> smooth);
 
     /// Light from the point to the eye.
     Vec3d operator()(const ShadedPoint& material, const LitPoint& at, const LightDraw& draw) const;
 
-    /// The share of an upward plane's light that does not reach it at a point.
+    /// The share of an upward plane's light that does not reach it at a point; 0 without rays.
     double shadow(const Vec3d& place, const LightDraw& draw) const;
 
   private:
     bool reaches(const LitPoint& at, const Vec3d& light) const;
     Vec3d summed(const ShadedPoint& material, const LitPoint& at, const LightDraw& draw) const;
 
-    LightSampler light_;
-    int rays_;
-    const Blockers* blockers_;
-    std::optional<PrefilteredLight> prefiltered_;
+    std::optional<LightSampler> light_;  ///< where directions are summed
+    int rays_ = 0;
+    const Blockers* blockers_ = nullptr;
+    std::shared_ptr<const PrefilteredLight> smooth_;
 };
 
 }  // namespace burl

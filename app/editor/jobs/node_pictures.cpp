@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "app/edit/look.h"
-#include "app/editor/jobs/thumbnails.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 
@@ -19,11 +18,22 @@ constexpr std::size_t most_drawn = 600;  // pictures kept, of some 12 KB each
 
 NodePictures::NodePictures(std::function<void()> wake) : wake_(std::move(wake)) {}
 
+void NodePictures::set_light(BallLight light) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (light_ == light) return;
+        light_ = std::move(light);
+        drawn_.clear();
+    }
+    cancel();
+}
+
 void NodePictures::request(const Recipe& recipe, const std::vector<std::string>& places, int side) {
     const auto shared = std::make_shared<const Recipe>(recipe);
+    const std::scoped_lock lock(mutex_);
     for (const std::string& place : places)
-        jobs_.add([this, shared, place, side](const std::stop_token& stop) {
-            if (!stop.stop_requested()) make(*shared, place, side);
+        jobs_.add([this, ball = Ball{shared, place, side, light_}](const std::stop_token& stop) {
+            if (!stop.stop_requested()) make(ball);
         });
 }
 
@@ -39,24 +49,26 @@ NodePictures::Picture NodePictures::known(const std::string& key) {
     return found == drawn_.end() ? nullptr : found->second;
 }
 
-void NodePictures::make(const Recipe& recipe, const std::string& place, int side) {
+void NodePictures::make(const Ball& ball) {
     std::string key;
     Picture picture;
     try {
-        Recipe look = look_at(recipe, place).recipe;
+        Recipe look = look_at(*ball.recipe, ball.place).recipe;
         look.name.clear();
         look.about.clear();
         look.atlas = {};
-        key = fmt::format("{} {}", side, to_json(look));
+        key = fmt::format("{} {}", ball.side, to_json(look));
         picture = known(key);
         // Averages would be grey where a node is finer than the ball's pixels.
         if (!picture)
-            picture = std::make_shared<const Image<Rgb8>>(ball_picture(look, side, "none"));
+            picture = std::make_shared<const Image<Rgb8>>(
+                ball_picture(look, ball.side, "none", ball.light));
     } catch (const Error&) {  // a node that cannot be drawn by itself has no picture
     }
     {
         const std::scoped_lock lock(mutex_);
-        places_[place] = picture;
+        if (ball.light != light_) return;
+        places_[ball.place] = picture;
         if (drawn_.size() >= most_drawn) drawn_.clear();
         if (picture) drawn_[key] = std::move(picture);
     }

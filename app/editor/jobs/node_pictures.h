@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/jobs/thumbnails.h"
 #include "app/editor/jobs/worker.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/image.h"
@@ -22,6 +23,9 @@ class NodePictures {
     /// `wake` is called by the drawing thread after every picture.
     explicit NodePictures(std::function<void()> wake);
 
+    /// Sets the light, and drops what was asked for in another. Pictures in that are shown until
+    /// they are asked for again and drawn.
+    void set_light(BallLight light);
     /// Asks for pictures of the nodes at places of `recipe`, side x side pixels. A picture that is
     /// there already is not drawn again.
     void request(const Recipe& recipe, const std::vector<std::string>& places, int side);
@@ -37,15 +41,23 @@ class NodePictures {
     void wait() const { jobs_.wait(); }
 
   private:
-    void make(const Recipe& recipe, const std::string& place, int side);
+    /// What a job draws.
+    struct Ball {
+        std::shared_ptr<const Recipe> recipe;
+        std::string place;
+        int side = 0;
+        BallLight light;
+    };
+    void make(const Ball& ball);
     Picture known(const std::string& key);
 
     std::function<void()> wake_;
     mutable std::mutex mutex_;
-    // `mutex_` guards places_ and drawn_.
+    // `mutex_` guards places_, drawn_ and light_.
     std::map<std::string, Picture> places_;  ///< pictures by places
     std::map<std::string, Picture> drawn_;   ///< pictures by side and JSON of what they show
-    JobQueue jobs_;                          ///< last member: its thread uses all the others
+    BallLight light_;
+    JobQueue jobs_;  ///< last member: its thread uses all the others
 };
 
 }  // namespace burl

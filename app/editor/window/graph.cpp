@@ -54,7 +54,7 @@ void EditorProgram::graph_window(const ImVec2& low, const ImVec2& size) {
     ImGui::SetNextWindowPos({low.x, low.y + border});
     ImGui::SetNextWindowSize({size.x, std::max(1.0f, size.y - border)});
     graph_.window({session_, items_}, graph_hooks());
-    if (node_gallery_) node_gallery_->follow(graph_, session_);
+    if (node_gallery_) node_gallery_->follow(graph_, session_, viewport_.light.on_host());
 }
 
 /// Tells over the object what is shown there in the recipe's place.

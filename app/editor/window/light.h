@@ -26,6 +26,8 @@ class EditLight {
     /// The light chosen, or, until it is ready, the one before; null: the headlight. The OpenGL
     /// context must be current.
     std::shared_ptr<const GlLight> light();
+    /// What light() last returned, for the host; null: the headlight.
+    const std::shared_ptr<const PrefilteredLight>& on_host() const { return on_host_; }
 
     /// Whether the light chosen is the one that light() last returned.
     bool idle() const { return !coming_.valid(); }
@@ -38,6 +40,7 @@ class EditLight {
     std::function<void()> wake_;
     std::string name_{headlight};
     std::shared_ptr<const GlLight> light_;
+    std::shared_ptr<const PrefilteredLight> on_host_;
     std::future<PrefilteredLight> coming_;
 };
 

@@ -14,12 +14,14 @@ constexpr std::size_t most_node_textures = 600;
 
 }  // namespace
 
-void GlNodeGallery::follow(const EditGraph& graph, EditSession& session) {
+void GlNodeGallery::follow(const EditGraph& graph, EditSession& session, const BallLight& light) {
     if (!graph.shown || session.moving()) return;
-    if (revision_ != session.history().revision()) {
+    if (revision_ != session.history().revision() || light_ != light) {
         revision_ = session.history().revision();
+        light_ = light;
         asked_.clear();
         pictures_.cancel();
+        pictures_.set_light(light);
     }
     std::vector<std::string> places;
     for (const std::string& place : graph.seen())

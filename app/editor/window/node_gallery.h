@@ -23,8 +23,9 @@ class GlNodeGallery {
     GlNodeGallery(const GladGLContext& gl, std::function<void()> wake)
         : gl_(&gl), pictures_(std::move(wake)) {}
 
-    /// Asks for pictures of the nodes that the graph shows, unless the recipe is just changing.
-    void follow(const EditGraph& graph, EditSession& session);
+    /// Asks for pictures in this light of the nodes that the graph shows, unless the recipe is just
+    /// changing.
+    void follow(const EditGraph& graph, EditSession& session, const BallLight& light);
     /// The picture of a node; null: none is ready.
     ImTextureID picture(const GraphNodeView& node);
 
@@ -42,6 +43,7 @@ class GlNodeGallery {
     const GladGLContext* gl_;
     std::map<const Image<Rgb8>*, Shown> textures_;
     std::optional<std::uint64_t> revision_;  ///< of the recipe whose pictures were asked for
+    BallLight light_;                        ///< in which they were asked for
     std::set<std::string> asked_;            ///< places that were asked for
     NodePictures pictures_;
 };

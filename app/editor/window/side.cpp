@@ -9,13 +9,16 @@
 namespace burl {
 
 ImTextureID GlEditGallery::picture(const std::string& preset, int side) {
-    const std::pair key(preset, side);
-    if (const auto found = textures_.find(key); found != textures_.end())
-        return imgui_texture(found->second);
     const auto image = thumbnails_.picture(preset, side);
     if (!image) return nullptr;
-    return imgui_texture(
-        textures_.emplace(key, upload_levels(*gl_, picture_levels(*image), GL_RGB8)).first->second);
+    const std::pair key(preset, side);
+    auto found = textures_.find(key);
+    if (found == textures_.end() || found->second.picture != image) {
+        Shown shown{image, upload_levels(*gl_, picture_levels(*image), GL_RGB8)};
+        if (found != textures_.end()) shown.before = std::move(found->second.texture);
+        found = textures_.insert_or_assign(key, std::move(shown)).first;
+    }
+    return imgui_texture(found->second.texture);
 }
 
 SidePanels::SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake)
@@ -34,7 +37,8 @@ void SidePanels::wait() const {
 
 void SidePanels::window(const PanelContext& context, const EditBaker& baker, bool posed,
                         const SideParts& parts) {
-    const auto& [graph, hooks, favourites] = parts;
+    const auto& [graph, hooks, favourites, light] = parts;
+    if (gallery_) gallery_->set_light(light);
     const auto tab = [&](const char* name, auto panel, bool front = false) {
         const bool open = ImGui::BeginTabItem(
             name, nullptr, front ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);

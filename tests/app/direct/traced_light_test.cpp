@@ -89,9 +89,9 @@ TEST(TracedLight, WhatComesThroughIsNotBlockedByTheSurfaceItself) {
     EXPECT_NEAR(mean_light(light, glass, facing_up({0.0, 1.01, 0.0})).x, 1.0, 0.01);
 }
 
-TEST(TracedLight, WithoutRaysItIsTheAmbientShading) {
+TEST(TracedLight, SmoothLightIsTheAmbientShading) {
     const Environment studio = make_environment("studio", 64);
-    const TracedLight light(studio, 0, nullptr);
+    const TracedLight light(std::make_shared<const PrefilteredLight>(prefilter(studio)));
     ShadedPoint gold;
     gold.base = {1.0, 0.7, 0.3}, gold.metallic = 1.0, gold.roughness = 0.4;
     const LitPoint at = facing_up({});
@@ -105,7 +105,8 @@ TEST(TracedLight, WithoutRaysItIsTheAmbientShading) {
 /// is about the same.
 TEST(TracedLight, PrefilteredLightIsNearIt) {
     const Environment room = make_environment("neutral", 64);
-    const TracedLight summed(room, 1024, nullptr), smooth(room, 0, nullptr);
+    const TracedLight summed(room, 1024, nullptr),
+        smooth(std::make_shared<const PrefilteredLight>(prefilter(room)));
     for (const double roughness : {0.1, 0.5, 1.0})
         for (const double metallic : {0.0, 1.0}) {
             ShadedPoint point;
