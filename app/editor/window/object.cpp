@@ -193,7 +193,13 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     const Vec4f background(Vec3f(background_linear()), 1.0f);
     scene_->clear(tile, shading.tone_curve ? Vec4f(0.0f) : background);
     scene_->draw(camera, samples, tile, shading);
-    if (scene_->has_layers()) scene_->draw_blended(camera, samples, tile, shading);
+    if (scene_->has_layers() && options.every_layer) {
+        if (!layers_) layers_.emplace(*gl_);
+        layers_->draw(*scene_, camera, shading, *samples_);
+        gl_->Enable(GL_DEPTH_TEST);
+    } else if (scene_->has_layers()) {
+        scene_->draw_blended(camera, samples, tile, shading);
+    }
     for (const auto& [kind, shown] : {std::pair(GlEditLines::Kind::edges, options.edges),
                                       std::pair(GlEditLines::Kind::borders, options.borders)})
         if (shown) lines_.draw(kind, camera, samples, options.supersample, options.share);

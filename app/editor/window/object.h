@@ -10,6 +10,7 @@
 
 #include "app/editor/jobs/front_buffer.h"
 #include "app/editor/tools/view.h"
+#include "app/editor/window/layers.h"
 #include "app/editor/window/lines.h"
 #include "app/editor/window/places.h"
 #include "app/gl/device/objects.h"
@@ -49,7 +50,8 @@ struct ObjectViewOptions {
     double share = 0.0;                      ///< share of the way to the pose, 0 to 1
     /// Whether edges of triangles and borders of charts are drawn, once available.
     bool edges = false, borders = false;
-    int supersample = 1;  ///< samples per side of a pixel: 1 while anything moves, 2 at rest
+    int supersample = 1;       ///< samples per side of a pixel: 1 while anything moves, 2 at rest
+    bool every_layer = false;  ///< of what blends, or back faces and front faces alone
     bool operator==(const ObjectViewOptions&) const = default;
 };
 
@@ -112,6 +114,7 @@ class GlEditObject {
     std::map<int, GlEditTexture> textures_;        ///< of the scene, by their numbers
     std::shared_ptr<const EditPicture> picture_;
     GlEditLines lines_;
+    std::optional<GlEditLayers> layers_;          ///< made when they are first drawn
     std::shared_ptr<const Image<Rgb8>> normals_;  ///< normal map on the graphics processor
     /// The samples, for views that need a downsampling pass, and the view's pixels.
     std::optional<GlDepthTarget> samples_, shown_;
