@@ -240,7 +240,7 @@ std::vector<PlaneLayer> DirectPicture::layers(const PictureRecipes& recipes) con
 Image<Rgba8> DirectPicture::draw(DirectScene scene) const {
     std::optional<Blockers> blockers;
     std::optional<TracedLight> light, on_ground;
-    if (picture_.ground || (environment_ && !smooth_)) blockers.emplace(scene.mesh);
+    if (picture_.ground || (environment_ && !smooth_)) blockers.emplace(scene.mesh, planes_);
     const Blockers* const solid = blockers ? &*blockers : nullptr;
     if (smooth_)
         light.emplace(smooth_);

@@ -1,5 +1,6 @@
 #include "app/direct/traced_light.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/light/reflection.h"
@@ -46,17 +47,18 @@ Vec3d TracedLight::operator()(const ShadedPoint& material, const LitPoint& at,
     return emitted(material, at.normal, at.view) + summed(material, at, draw);
 }
 
-/// Light from below is what comes through the surface, which stands in its own way.
+/// Light from below is what comes through the surface.
 bool TracedLight::reaches(const LitPoint& at, const Vec3d& light) const {
     const bool above = glm::dot(at.normal, light) >= 0.0;
     if (above != (glm::dot(at.smooth, light) >= 0.0)) return false;
-    return !above || !blockers_ || !blockers_->blocked(at.place, light);
+    if (!blockers_) return true;
+    return above ? !blockers_->blocked(at.place, light) : !blockers_->first(at.behind, light);
 }
 
 Vec3d TracedLight::summed(const ShadedPoint& material, const LitPoint& at,
                           const LightDraw& draw) const {
     const Reflection reflection(material, at.normal, at.view);
-    const int own = (rays_ + 1) / 2, theirs = rays_ - own;
+    const int rays = std::max(rays_ / draw.fewer, 1), own = (rays + 1) / 2, theirs = rays - own;
     Vec3d sum(0.0);
     const auto add = [&](const Vec3d& light) {
         const Vec3d share = reflection(light);

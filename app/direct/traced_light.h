@@ -18,11 +18,13 @@ namespace burl {
 struct LightDraw {
     std::uint64_t seed = 0;
     int part = 0;
+    int fewer = 1;  ///< divides the number of directions: one of so many points that are averaged
 };
 
 /// A point that light falls on, in scene coordinates.
 struct LitPoint {
     Vec3d place{0.0};             ///< where rays begin, off the surface on the side that is seen
+    Vec3d behind{0.0};            ///< the same on the other side, for what comes through
     Vec3d normal{0.0, 1.0, 0.0};  ///< unit, with bumps, on the side that is seen
     Vec3d smooth{0.0, 1.0, 0.0};  ///< unit, without bumps: no light is reflected from behind it
     Vec3d view{0.0, 1.0, 0.0};    ///< unit, towards the eye
@@ -37,11 +39,16 @@ class TracedLight {
     /// Shades by prefiltered light, without shadows, as OpenGL does.
     explicit TracedLight(std::shared_ptr<const PrefilteredLight> smooth);
 
-    /// Light from the point to the eye.
+    /// Light from the point to the eye, but for what surfaces behind it send through it.
     Vec3d operator()(const ShadedPoint& material, const LitPoint& at, const LightDraw& draw) const;
 
     /// The share of an upward plane's light that does not reach it at a point; 0 without rays.
     double shadow(const Vec3d& place, const LightDraw& draw) const;
+
+    /// The environment's light from a direction of any length but 0; only where rays are summed.
+    Vec3d sky(const Vec3d& direction) const { return light_from(light_->environment(), direction); }
+    /// Whether light is summed over rays, and surfaces are seen through one another.
+    bool sums() const { return light_.has_value(); }
 
   private:
     bool reaches(const LitPoint& at, const Vec3d& light) const;

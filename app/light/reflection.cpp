@@ -125,6 +125,13 @@ Vec3d Reflection::sample(double which, const Vec2d& at) const {
     return lobe == through ? mirrored_at(light, normal_) : light;
 }
 
+Reflection::Through Reflection::through_at(const Vec2d& at) const {
+    const Vec3d mirrored = glossy_sample(alpha_, normal_, view_, at);
+    if (glm::dot(normal_, mirrored) <= 0.0) return {};
+    return {mirrored_at(mirrored, normal_),
+            below_light(mirrored) / glossy_density(alpha_, normal_, view_, mirrored)};
+}
+
 double Reflection::density(const Vec3d& light) const {
     double sum = chances_[diffuse] * std::max(glm::dot(normal_, light), 0.0) / pi +
                  chances_[glossy] * glossy_density(alpha_, normal_, view_, light);

@@ -28,7 +28,7 @@ ShadedPoint white_paper() {
 }
 
 LitPoint facing_up(const Vec3d& place) {
-    return {place, {0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}, glm::normalize(Vec3d(0.3, 1.0, 0.2))};
+    return {place, place, {0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}, glm::normalize(Vec3d(0.3, 1.0, 0.2))};
 }
 
 /// The mean over several points' draws.
@@ -81,12 +81,18 @@ TEST(TracedLight, ABallsShadowIsItsFormFactor) {
     EXPECT_NEAR(light.shadow({300.0, 0.0, 0.0}, {3, 0}), 0.0, 0.01);
 }
 
-TEST(TracedLight, WhatComesThroughIsNotBlockedByTheSurfaceItself) {
-    const Blockers ball(sphere_mesh(24, 48));
-    const TracedLight light(room_of(1.0f), 256, &ball);
+TEST(TracedLight, WhatStandsBehindHidesTheRoomButNotTheSurfaceItself) {
+    const Mesh mesh = wall_mesh(0.0, 1000.0);
+    const Blockers wall(mesh);
+    const TracedLight light(room_of(1.0f), 256, &wall);
     ShadedPoint glass;
     glass.transmission = 1.0, glass.roughness = 0.1;
-    EXPECT_NEAR(mean_light(light, glass, facing_up({0.0, 1.01, 0.0})).x, 1.0, 0.01);
+    LitPoint at = facing_up({});
+    at.normal = at.smooth = at.view = {1.0, 0.0, 0.0};
+    at.place = {0.001, 500.0, 0.0}, at.behind = {-0.001, 500.0, 0.0};
+    EXPECT_NEAR(mean_light(light, glass, at).x, 1.0, 0.01);
+    at.behind = at.place;
+    EXPECT_NEAR(mean_light(light, glass, at).x, dielectric_f0(1.5), 0.01);
 }
 
 TEST(TracedLight, SmoothLightIsTheAmbientShading) {

@@ -178,7 +178,7 @@ TEST(Sun, BallsShowTheSumOverTheirSky) {
             drawn.add(ambient_shading(point, normal, view, light), truth);
             Vec3d mean(0.0);
             for (int part = 0; part < 4; ++part)
-                mean += 0.25 * traced(point, {{}, normal, normal, view}, {11, part});
+                mean += 0.25 * traced(point, {{}, {}, normal, normal, view}, {11, part});
             summed.add(mean, truth);
         }
         EXPECT_LT(drawn.share(), one.drawn) << one.name;
