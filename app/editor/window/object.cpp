@@ -268,12 +268,26 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     keep_to(part, samples);
     scene_->draw(camera, samples, tile, shading, part.triangles());
     if (part.rows || part.is_last()) {
-        if (scene_->has_layers()) scene_->draw_blended(camera, samples, tile, shading);
+        draw_layers(options);
         draw_lines(options);
     }
     part_ = part.is_last() ? 0 : part.number + 1;
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->Disable(GL_DEPTH_TEST);
+}
+
+/// Draws what blends over what the samples show.
+void GlEditObject::draw_layers(const ObjectViewOptions& options) {
+    if (!scene_->has_layers()) return;
+    const PictureSize samples = sample_size(options);
+    const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
+    const GlShading shading = shading_of(options);
+    if (!options.every_layer)
+        return scene_->draw_blended(camera, samples, {0, 0, samples.width, samples.height},
+                                    shading);
+    if (!layers_) layers_.emplace(*gl_);
+    layers_->draw(*scene_, camera, shading, *samples_);
+    gl_->Enable(GL_DEPTH_TEST);
 }
 
 void GlEditObject::draw_lines(const ObjectViewOptions& options) {

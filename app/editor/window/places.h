@@ -19,7 +19,8 @@ struct GlShading;
 /// A colour target with a depth buffer.
 class GlDepthTarget {
   public:
-    GlDepthTarget(const GladGLContext& gl, const PictureSize& size, GLenum format);
+    GlDepthTarget(const GladGLContext& gl, const PictureSize& size, GLenum format,
+                  GLenum depth_format = GL_DEPTH_COMPONENT24);
     /// Shares the depth buffer of another target of the same size.
     GlDepthTarget(const GladGLContext& gl, const GlDepthTarget& other,
                   std::span<const GLenum> formats);
