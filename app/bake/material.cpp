@@ -117,7 +117,7 @@ FloatMaterial float_material(Pipeline& pipeline, const MaterialAsked& asked,
                              const std::vector<MaterialPicture>& wanted) {
     const Recipe& recipe = pipeline.recipe();
     std::vector<Image<RgbaF>> images = pipeline.pictures<RgbaF>(plans_of(recipe, wanted));
-    if (!recipe.paint.empty()) paint(pipeline, images[0]);
+    if (has_color_paint(recipe.paint)) paint(pipeline, images[0]);
     const bool mask = is_transparent(recipe) && recipe.material.alpha == AlphaMode::mask;
     FloatMaterial material;
     for (std::size_t i = 0; i < images.size(); ++i) {
@@ -253,7 +253,7 @@ std::string numbers_in_no_picture(const Recipe& recipe, Packing packing) {
 }
 
 void check_material(const Recipe& recipe, const MaterialAsked& asked, const std::string& what) {
-    if (is_transparent(recipe) && !recipe.paint.empty())
+    if (is_transparent(recipe) && has_color_paint(recipe.paint))
         throw Error(ExitCode::usage,
                     "the recipe paints over a transparent texture, which is not done yet; add "
                     "--set material.alpha=opaque, or take the paint out");

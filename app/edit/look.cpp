@@ -39,7 +39,7 @@ Json at_its_point(const RecipeTree& tree, Json node, const std::string& place) {
 /// The recipe without all that is not asked for, but for its texture.
 Recipe bare_recipe(const Recipe& recipe) {
     Recipe bare = recipe;
-    bare.paint.clear();
+    bare.paint = mask_strokes(recipe.paint);
     bare.controls.clear();
     bare.animation = {};
     bare.bump = {};
@@ -99,6 +99,10 @@ NodeLook look_at(const Recipe& recipe, const std::string& place) {
     tree.put("texture",
              {{"node", "remap"}, {"in_low", range[0]}, {"in_high", range[1]}, {"input", shown}});
     return {tree.finish("", place).recipe, range};
+}
+
+bool reads_masks(const Recipe& recipe) {
+    return !first_mask_node(recipe.texture, GraphOutput::color).empty();
 }
 
 }  // namespace burl

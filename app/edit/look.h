@@ -18,8 +18,12 @@ struct NodeLook {
 
 /// The look at the node at a place. A number that leaves [0, 1], or hardly differs, is stretched
 /// from its least value on a ball to its largest. Atlas, solid, filter and pose are those of
-/// `recipe`; there are no channels, height, paint, controls and keys. Of a node that several use it
+/// `recipe`; there are no channels, height, colour paint, controls and
+/// keys. Of a node that several use it
 /// is the first use. Throws Error(usage) where no node stands there.
 NodeLook look_at(const Recipe& recipe, const std::string& place);
+
+/// Whether the recipe's base colour reads masks, which need a mesh.
+bool reads_masks(const Recipe& recipe);
 
 }  // namespace burl

@@ -166,6 +166,25 @@ GraphEdit add_node(const Recipe& recipe, const std::string& place, const std::st
     return tree.finish(words, path, origin);
 }
 
+GraphEdit add_node_after(const Recipe& recipe, const std::string& from, const std::string& text,
+                         const std::string& origin) {
+    const NewNode node = new_node(text);
+    const RecipeTree tree(recipe);
+    const Json* value = tree.find(from);
+    const NodeInput* input = value ? input_for(tree, node, *value) : nullptr;
+    if (!input) {
+        const std::string name = spoken(type_of(node.json).name);
+        refuse_edit(fmt::format("{} has no input that is free; choose another node", name));
+    }
+    const GraphEdit added = add_node(recipe, "", text, origin);
+    GraphEdit edit =
+        connect(added.recipe, from, fmt::format("{}.{}", added.path, std::string(input->key)));
+    edit.words = fmt::format("{} after {}", added.words, RecipeTree::called(*value, from));
+    edit.path = added.path;
+    edit.lost.insert(edit.lost.begin(), added.lost.begin(), added.lost.end());
+    return edit;
+}
+
 GraphEdit delete_nodes(const Recipe& recipe, const std::vector<std::string>& places) {
     RecipeTree tree(recipe);
     if (places.empty()) refuse_edit("no node is chosen; choose one to delete");

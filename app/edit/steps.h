@@ -21,6 +21,11 @@ Recipe new_recipe(const Recipe& like);
 GraphEdit add_node(const Recipe& recipe, const std::string& place, const std::string& text,
                    const std::string& origin = {});
 
+/// Adds the node of a text under a name that nothing uses, and connects the node at `from` to its
+/// first input that fits, as connect does.
+GraphEdit add_node_after(const Recipe& recipe, const std::string& from, const std::string& text,
+                         const std::string& origin = {});
+
 /// Deletes the nodes at places. The first of a node's inputs that fits takes its place, nodes and
 /// names before constants; else the place is vacant. A name of "define" that is left without a node
 /// goes, and so do its uses.

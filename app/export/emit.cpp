@@ -188,6 +188,10 @@ EmittedShader emit_glsl(const Recipe& recipe, const Affine3& solid_from_mesh) {
                emitted_material(turned, map) + "\n" + main_text(turned, recipe);
     };
     KnobbedShader shader = with_knobs(recipe, text);
+    if (recipe.filter != Filter{})
+        shader.notes.push_back(
+            fmt::format("filter {} is left out: the shader gives the colour at a point",
+                        to_string(recipe.filter.kind)));
     const std::string uniforms = shader.uniforms.empty() ? "" : "\n" + shader.uniforms;
     return {header(recipe) + images + uniforms + "\n" + shader.text, std::move(shader.notes)};
 }

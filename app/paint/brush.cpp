@@ -47,17 +47,42 @@ double PaintBrush::coverage(double squared_distance, double texel) const {
     return t * t * (3.0 - 2.0 * t);
 }
 
+Dual PaintBrush::coverage(const Vec3d& point, std::span<const PaintSegment> near,
+                          double texel) const {
+    Vec3d apart = apart_from(point, near[0]);
+    for (const PaintSegment& segment : near.subspan(1))
+        if (const Vec3d other = apart_from(point, segment);
+            glm::dot(other, other) < glm::dot(apart, apart))
+            apart = other;
+    const double squared = glm::dot(apart, apart), inner = std::clamp(radius_ - texel, 0.0, inner_);
+    const double value = coverage(squared, texel);
+    if (value <= 0.0 || value >= 1.0) return value;
+    const double distance = std::sqrt(squared), width = radius_ - inner;
+    const double t = (radius_ - distance) / width;
+    return {value, -6.0 * t * (1.0 - t) / (width * distance) * apart};
+}
+
+Dual PaintBrush::over(const Dual& below, const Dual& coverage) const {
+    const Dual alpha = Dual(opacity_) * coverage;
+    const Dual kept = (Dual(1.0) - alpha) * below;
+    return erases_ ? kept : kept + alpha;
+}
+
 PaintLight PaintBrush::over(const PaintLight& below, double coverage) const {
     const auto alpha = float(opacity_ * coverage);
     const PaintLight kept = (1.0f - alpha) * below;
     return erases_ ? kept : kept + PaintLight(alpha * light_, alpha);
 }
 
-double squared_distance(const Vec3d& point, const PaintSegment& segment) {
+Vec3d apart_from(const Vec3d& point, const PaintSegment& segment) {
     const Vec3d along = segment.to - segment.from, offset = point - segment.from;
     const double length2 = glm::dot(along, along);
     const double t = length2 > 0.0 ? std::clamp(glm::dot(offset, along) / length2, 0.0, 1.0) : 0.0;
-    const Vec3d apart = offset - t * along;
+    return offset - t * along;
+}
+
+double squared_distance(const Vec3d& point, const PaintSegment& segment) {
+    const Vec3d apart = apart_from(point, segment);
     return glm::dot(apart, apart);
 }
 

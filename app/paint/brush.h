@@ -7,6 +7,7 @@
 
 #include "app/recipe/paint_stroke.h"
 #include "atlas/mesh/mesh.h"
+#include "procedural/numbers/dual.h"
 
 namespace burl {
 
@@ -32,8 +33,13 @@ class PaintBrush {
     /// hardness times the radius, then a smoothstep down to 0 at the radius. The smoothstep is at
     /// least one texel wide, so that hard edges are antialiased. `texel` is in solid units.
     double coverage(double squared_distance, double texel) const;
+    /// The same at a point near some of the stroke's segments, of which there is at least one, with
+    /// its gradient in solid space.
+    Dual coverage(const Vec3d& point, std::span<const PaintSegment> near, double texel) const;
     /// The paint after laying the stroke over `below`, or erasing from it, with this coverage.
     PaintLight over(const PaintLight& below, double coverage) const;
+    /// The alpha of `over`, for a layer that has no colours.
+    Dual over(const Dual& below, const Dual& coverage) const;
 
   private:
     std::vector<PaintSegment> segments_;
@@ -42,6 +48,9 @@ class PaintBrush {
     Vec3f light_;
     bool erases_;
 };
+
+/// From the nearest point of a segment to the point.
+Vec3d apart_from(const Vec3d& point, const PaintSegment& segment);
 
 /// The squared distance of a point from a segment.
 double squared_distance(const Vec3d& point, const PaintSegment& segment);

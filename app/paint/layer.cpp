@@ -35,19 +35,10 @@ std::size_t place_in_tile(std::uint32_t x, std::uint32_t y) {
     return std::size_t(y % side) * side + x % side;
 }
 
-/// The segments of the brush that may come within its radius of the box.
-std::vector<PaintSegment> segments_at(const PaintBrush& brush, const Box3& box) {
-    std::vector<PaintSegment> near;
-    if (!may_reach(brush.hull(), brush.radius(), box)) return near;
-    for (const PaintSegment& segment : brush.segments())
-        if (may_reach(segment, brush.radius(), box)) near.push_back(segment);
-    return near;
-}
-
 /// Lays a stroke over a tile's paint and returns whether it may reach the tile.
 bool lay_over(const PaintTiles& tiles, std::size_t tile, const PaintBrush& brush,
               std::vector<PaintLight>& paint) {
-    const std::vector<PaintSegment> near = segments_at(brush, tiles.box(tile));
+    const std::vector<PaintSegment> near = tiles.segments_at(brush, tile);
     if (near.empty()) return false;
     paint.resize(tile_texels, PaintLight(0.0f));
     tiles.for_each_texel(
@@ -90,6 +81,15 @@ void PaintTiles::measure(std::size_t tile) {
                            }
                        });
     boxes_[tile] = box;
+}
+
+std::vector<PaintSegment> PaintTiles::segments_at(const PaintBrush& brush, std::size_t tile) const {
+    const Box3& box = boxes_[tile];
+    std::vector<PaintSegment> near;
+    if (!(box.low.x <= box.high.x) || !may_reach(brush.hull(), brush.radius(), box)) return near;
+    for (const PaintSegment& segment : brush.segments())
+        if (may_reach(segment, brush.radius(), box)) near.push_back(segment);
+    return near;
 }
 
 void PaintTiles::add_reached(const PaintBrush& brush, std::vector<bool>& reached) const {

@@ -32,6 +32,9 @@ class PaintTiles {
     /// Sets `reached` for the tiles that the brush may cover in part.
     void add_reached(const PaintBrush& brush, std::vector<bool>& reached) const;
 
+    /// The segments of the brush that may come within its radius of the tile.
+    std::vector<PaintSegment> segments_at(const PaintBrush& brush, std::size_t tile) const;
+
     /// Calls visit(x, y, solid point, width) for the tile's texels in spans. The width is the
     /// distance to the farther of the neighbours in x and y, in solid units.
     template <class Visit>

@@ -54,7 +54,8 @@ void PaintMixer<Pixel>::mix(const PaintLayer& layer, std::size_t tile, const Ima
 template <class Pixel>
 std::uint64_t paint_over(const SolidAtlas& solid, std::span<const PaintStroke> strokes, int threads,
                          Image<Pixel>& image, std::size_t first) {
-    if (strokes.empty()) return 0;
+    const std::vector<PaintStroke> colors = strokes_of(strokes, 0);
+    if (colors.empty()) return 0;
     const PaintMixer<Pixel> mixer;
     const std::size_t at_once =
         PaintTiles::side *
@@ -63,7 +64,7 @@ std::uint64_t paint_over(const SolidAtlas& solid, std::span<const PaintStroke> s
     for (std::size_t begin = 0; begin < image.height(); begin += at_once) {
         const std::size_t end = std::min(begin + at_once, image.height());
         PaintLayer layer(solid, threads, {first + begin, first + end});
-        texels += layer.update(strokes).texels;
+        texels += layer.update(colors).texels;
         for (const std::uint32_t tile : layer.painted_tiles())
             mixer.mix(layer, tile, image, image, begin);
     }

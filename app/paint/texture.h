@@ -28,10 +28,11 @@ class PaintMixer {
     std::vector<float> decoded_;  ///< linear light by sRGB code; empty for floats
 };
 
-/// Composites the strokes over an atlas's texture in bands of about a million texels, since paint
-/// takes 32 bytes per texel. Pixel is Rgb8, Rgb16 or RgbF. 0 threads means all; the result does not
-/// depend on the number. The image may be a band of the texture's rows that begins at row `first`,
-/// a multiple of PaintTiles::side. Returns the number of texels in tiles that a stroke reaches.
+/// Composites the strokes of colour over an atlas's texture in bands of about a million texels,
+/// since paint takes 32 bytes per texel. Pixel is Rgb8, Rgb16 or RgbF. 0 threads means all; the
+/// result does not depend on the number. The image may be a band of the texture's rows that begins
+/// at row `first`, a multiple of PaintTiles::side. Returns the number of texels in tiles that a
+/// stroke reaches.
 template <class Pixel>
 std::uint64_t paint_over(const SolidAtlas& solid, std::span<const PaintStroke> strokes, int threads,
                          Image<Pixel>& image, std::size_t first = 0);

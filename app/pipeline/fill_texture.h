@@ -28,11 +28,13 @@ struct TextureKey {
     TextureGraph texture;
     Filter filter{};
     Precision precision{};
+    std::vector<PaintStroke> mask_paint;
     explicit TextureKey(const Recipe& recipe)
         : solid(recipe.solid),
           texture(recipe.texture),
           filter(recipe.filter),
-          precision(recipe.precision) {}
+          precision(recipe.precision),
+          mask_paint(mask_strokes(recipe.paint)) {}
     bool operator==(const TextureKey&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/paint/mask.h"
 #include "app/surface/normals.h"
 #include "atlas/shape/crease_edges.h"
 #include "atlas/shape/curvature.h"
@@ -180,6 +181,8 @@ ShapeMask shape_mask(const Mesh& mesh, const ShapeScene& scene, const GraphMask&
             return uv_mask(mesh, scene, mask.component);
         case MaskKind::lighting:
             return light_mask(scene, mask);
+        case MaskKind::paint:  // of solid space, not of the shape
+            break;
     }
     return {};
 }
@@ -205,6 +208,13 @@ std::vector<Dual> at_nearest(const ShapeScene& scene, const ShapeMask& mask, dou
     for (std::size_t i = 0; i < points.size(); ++i)
         found.emplace_back(factor * double(values[i]), factor * slopes[i]);
     return found;
+}
+
+std::vector<Vec3d> nearest_points(const ShapeScene& scene, std::span<const Vec3d> positions) {
+    const NearestSurface nearest(scene);
+    std::vector<Vec3d> points;
+    for (const Vec3d& position : positions) points.push_back(nearest(position).position);
+    return points;
 }
 
 /// The mean side of a texel, in the SolidAtlas's space.
@@ -241,8 +251,10 @@ void multiply(double factor, TexelField& field) {
 
 }  // namespace
 
-TexelMaskKey mask_key(const GraphMask& mask, double scale, std::uint32_t size) {
+TexelMaskKey mask_key(const GraphMask& mask, const Recipe& recipe, std::uint32_t size) {
+    const double scale = recipe.solid.scale;
     TexelMaskKey key{mask, 1.0, size};
+    if (mask.kind == MaskKind::paint) key.strokes = strokes_of(recipe.paint, int(mask.numbers[0]));
     std::vector<double>& numbers = key.mask.numbers;
     if (mask.kind == MaskKind::curvature) numbers[0] /= scale;
     const bool is_length = mask.kind == MaskKind::thickness || mask.kind == MaskKind::edge_distance;
@@ -282,6 +294,8 @@ TexelField MeshShape::image(const SolidAtlas& solid, const TexelOwners& owners,
 
 std::vector<Dual> MeshShape::at(std::span<const Vec3d> positions, const TexelMaskKey& key) const {
     const GraphMask& mask = key.mask;
+    if (mask.kind == MaskKind::paint)
+        return paint_mask_at(nearest_points(*scene_, positions), key.strokes);
     const double step = std::min(scene_->diagonal() / 512.0, 0.25 * feature_length(mask));
     if (mask.kind != MaskKind::lighting)
         return at_nearest(*scene_, shape_mask(mesh_, *scene_, mask), key.factor, step, positions);
@@ -294,7 +308,7 @@ MaskValues masks_at(const MeshShape& shape, const Recipe& recipe, const TextureG
     const Mat3d to_texture = gradients_after(texture_from_solid(recipe));
     MaskValues values;
     for (const GraphMask& mask : graph_masks(graph)) {
-        values.push_back(shape.at(positions, mask_key(mask, recipe.solid.scale, 0)));
+        values.push_back(shape.at(positions, mask_key(mask, recipe, 0)));
         for (Dual& one : values.back()) one.slope = to_texture * one.slope;
     }
     return values;

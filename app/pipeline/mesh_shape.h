@@ -21,14 +21,15 @@ class ShapeScene;  // atlas/shape/shape_scene.h
 /// the SolidAtlas's space.
 struct TexelMaskKey {
     GraphMask mask;
-    double factor = 1.0;     ///< of the values, which are lengths where it is not 1
-    std::uint32_t size = 0;  ///< side of the image in texels
+    double factor = 1.0;                 ///< of the values, which are lengths where it is not 1
+    std::uint32_t size = 0;              ///< side of the image in texels
+    std::vector<PaintStroke> strokes{};  ///< of the layer that a mask `paint` shows
     bool operator==(const TexelMaskKey&) const = default;
 };
 
-/// The key of a graph's mask, whose lengths are in units of the graph's solid point: those of the
-/// SolidAtlas's space times `scale`, the recipe's.
-TexelMaskKey mask_key(const GraphMask& mask, double scale, std::uint32_t size);
+/// The key of a mask of the recipe's graph, whose lengths are in units of the graph's solid point:
+/// those of the SolidAtlas's space times the recipe's scale.
+TexelMaskKey mask_key(const GraphMask& mask, const Recipe& recipe, std::uint32_t size);
 
 /// A mesh prepared for masks. It keeps a copy of the mesh.
 class MeshShape {
@@ -38,10 +39,11 @@ class MeshShape {
     MeshShape(Mesh mesh, const Affine3& solid_from_mesh);
     ~MeshShape();
 
-    /// The mask at all texels of an atlas of the mesh, 0 for texels that show nothing, with its
-    /// gradients if `slopes`. Occlusion, the sky's light, thickness and curvature are interpolated
-    /// between points at most about four texels apart where they are smooth; all others are the
-    /// mask at the texel's point. Once `stop` is requested the result must not be used.
+    /// The mask, which is none of paint, at all texels of an atlas of the mesh, 0 for texels that
+    /// show nothing, with its gradients if `slopes`. Occlusion, the sky's light, thickness and
+    /// curvature are interpolated between points at most about four texels apart where they are
+    /// smooth; all others are the mask at the texel's point. Once `stop` is requested the result
+    /// must not be used.
     TexelField image(const SolidAtlas& solid, const TexelOwners& owners, const TexelMaskKey& key,
                      bool slopes, const std::stop_token& stop = {}) const;
 

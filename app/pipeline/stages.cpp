@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/paint/mask.h"
 #include "atlas/base/mip_chain.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/solid/level.h"
@@ -119,17 +120,22 @@ MaskImages MaskStage::run(StageContext& context, const Mesh& mesh, const MeshAtl
     MaskImages images(masks.size());
     std::optional<TexelOwners> owners;
     for (std::size_t m = 0; m < masks.size() && !stop.stop_requested(); ++m) {
-        const TexelMaskKey key = mask_key(masks[m], recipe.solid.scale, solid.size);
+        const TexelMaskKey key = mask_key(masks[m], recipe, solid.size);
         const bool slopes = takes_slopes(recipe, masks[m]);
         if (read[m]) images[m] = known(context, key, slopes);
         if (!read[m] || images[m]) continue;
-        const bool done = context.records.attempt(Stage::masks, [&](StageCost& cost) {
+        const auto of_the_shape = [&] {
             if (!shape_)
                 shape_ = std::make_unique<const MeshShape>(
                     atlas.mesh(mesh), solid_from_mesh(mesh, recipe.solid.space));
             if (!owners) owners.emplace(solid, atlas.atlas(), OwnerReach::gutters);
+            return shape_->image(solid, *owners, key, slopes, stop);
+        };
+        const bool done = context.records.attempt(Stage::masks, [&](StageCost& cost) {
             images[m] = std::make_shared<const TexelField>(
-                shape_->image(solid, *owners, key, slopes, stop));
+                masks[m].kind == MaskKind::paint
+                    ? paint_mask(solid, key.strokes, slopes, context.way.threads, stop)
+                    : of_the_shape());
             cost.work.texels = texels_of(solid);
             cost.bytes = bytes_of(images[m]->values) + bytes_of(images[m]->slopes);
             return !stop.stop_requested();
@@ -159,7 +165,7 @@ void MaskStage::keep_those_of(const Recipe& recipe) {
         std::ranges::copy(graph_masks(recipe.bump.input), std::back_inserter(masks));
     std::erase_if(images_, [&](const Known& known) {
         return std::ranges::none_of(masks, [&](const GraphMask& mask) {
-            return mask_key(mask, recipe.solid.scale, known.first.size) == known.first;
+            return mask_key(mask, recipe, known.first.size) == known.first;
         });
     });
 }
@@ -226,7 +232,8 @@ Image<RgbF> LevelStage::run_one(StageContext& context, const MeshAtlas& atlas,
 }
 
 bool NormalStage::Map::is_of(const Recipe& recipe, const NormalFramesKey& key) const {
-    return bump == recipe.bump && solid == recipe.solid && filter == recipe.filter &&
+    return mask_paint == mask_strokes(recipe.paint) && bump == recipe.bump &&
+           solid == recipe.solid && filter == recipe.filter &&
            precision == graph_precision(recipe) && frames == key;
 }
 
@@ -254,7 +261,13 @@ Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const Mes
         return image;
     });
     if (context.cache > 0 && context.skips.allows(Skip::stages))
-        map_ = Map{recipe.bump, recipe.solid, recipe.filter, graph_precision(recipe), key, map};
+        map_ = Map{recipe.bump,
+                   recipe.solid,
+                   recipe.filter,
+                   graph_precision(recipe),
+                   key,
+                   mask_strokes(recipe.paint),
+                   map};
     else
         frames_.reset();
     return map;

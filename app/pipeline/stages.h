@@ -184,6 +184,7 @@ class NormalStage {
         Filter filter;
         PrecisionKind precision{};
         NormalFramesKey frames;
+        std::vector<PaintStroke> mask_paint{};
         std::variant<Image<Rgb8>, Image<Rgb16>, Image<RgbF>> image{};
         bool is_of(const Recipe& recipe, const NormalFramesKey& key) const;
     };

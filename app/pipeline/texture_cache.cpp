@@ -5,7 +5,7 @@ namespace burl {
 template <class Pixel>
 const Image<Pixel>& PaintCache::show(const Image<Pixel>& base, std::uint64_t number,
                                      std::span<const PaintStroke> strokes, std::uint64_t& texels) {
-    PaintWork work = layer_.update(strokes);
+    PaintWork work = layer_.update(strokes_of(strokes, 0));
     auto* shown = std::get_if<Shown<Pixel>>(&shown_);
     if (!shown || number != number_) {
         if (!shown) shown = &shown_.emplace<Shown<Pixel>>();

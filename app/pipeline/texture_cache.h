@@ -22,9 +22,9 @@ class PaintCache {
     /// `solid` must outlive this object. `threads` 0 means all; no result depends on it.
     PaintCache(const SolidAtlas& solid, int threads) : layer_(solid, threads) {}
 
-    /// The texture `base` with the strokes over it; the reference is valid until the next call.
-    /// `number`, from 1 on, identifies the base: a number that differs from the last call's means
-    /// that the base has changed. Adds the count of texels that were mixed to `texels`.
+    /// The texture `base` with the strokes of colour over it; the reference is valid until the next
+    /// call. `number`, from 1 on, identifies the base: a number that differs from the last call's
+    /// means that the base has changed. Adds the count of texels that were mixed to `texels`.
     template <class Pixel>
     const Image<Pixel>& show(const Image<Pixel>& base, std::uint64_t number,
                              std::span<const PaintStroke> strokes, std::uint64_t& texels);

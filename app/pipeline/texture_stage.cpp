@@ -18,7 +18,7 @@ void synthesize_elsewhere(StageContext& context, const SolidAtlas& solid, const 
 template <class Pixel>
 void paint(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
            Image<Pixel>& image) {
-    if (recipe.paint.empty()) return;
+    if (!has_color_paint(recipe.paint)) return;
     context.records.time(Stage::paint, [&](StageCost& cost) {
         cost.work.texels = paint_over(solid, recipe.paint, context.way.threads, image);
         cost.bytes = bytes_of(image);
@@ -113,7 +113,7 @@ void TextureStage::run_in_bands(StageContext& context, const SolidAtlas& solid,
                   texels, take_rows);
     const std::chrono::duration<double> all = Clock::now() - start;
     context.records.add(Stage::synthesis, (all - painting - taking).count(), cost);
-    if (recipe.paint.empty()) return;
+    if (!has_color_paint(recipe.paint)) return;
     paint_cost.bytes = cost.bytes;
     context.records.add(Stage::paint, painting.count(), paint_cost);
 }
@@ -143,8 +143,9 @@ const Image<Pixel>* TextureStage::show(StageContext& context, const SolidAtlas& 
                                        std::uint32_t number, const std::stop_token& stop) {
     auto& [texture, layer] = level(context, solid, number);
     const Image<Pixel>* base = unpainted<Pixel>(context, *texture, recipe, masks, number, stop);
-    if (!context.skips.allows(Skip::stages) || recipe.paint.empty()) layer.reset();
-    if (!base || recipe.paint.empty()) return base;
+    const bool paints = has_color_paint(recipe.paint);
+    if (!context.skips.allows(Skip::stages) || !paints) layer.reset();
+    if (!base || !paints) return base;
     return context.records.time(Stage::paint, [&](StageCost& cost) {
         if (!layer) layer.emplace(solid, context.way.threads);
         const Image<Pixel>& painted =

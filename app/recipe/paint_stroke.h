@@ -2,6 +2,7 @@
 // Brush strokes in solid space: paint over the procedural texture, as data of the recipe. After
 // Carr & Hart's meshed atlases, where every point of the surface has texels of its own and painting
 // needs no unwrapping.
+#include <span>
 #include <vector>
 
 #include "atlas/base/enum_names.h"
@@ -25,7 +26,20 @@ struct PaintStroke {
     double opacity = 1.0;         ///< the opacity at full coverage, 0..1
     Rgb8 color{0, 0, 0};          ///< sRGB
     PaintMode mode = PaintMode::paint;
+    int layer = 0;  ///< 0: colour over the texture; else the mask that nodes `paint` read
     bool operator==(const PaintStroke&) const = default;
 };
+
+/// The largest number of a layer.
+inline constexpr int most_paint_layers = 99;
+
+/// The strokes of one layer, in their order.
+std::vector<PaintStroke> strokes_of(std::span<const PaintStroke> strokes, int layer);
+
+/// The strokes of all masks, in their order.
+std::vector<PaintStroke> mask_strokes(std::span<const PaintStroke> strokes);
+
+/// Whether a stroke lays colour over the texture, or takes it away.
+bool has_color_paint(std::span<const PaintStroke> strokes);
 
 }  // namespace burl

@@ -164,6 +164,8 @@ std::vector<RecipeParameter> rows_after_texture() {
             "fixed: bits after the point", {}, {.idle = only_fixed}),
         row("paint.*.mode", &PaintStroke::mode, {},
             "erase: takes away the paint of the strokes before it"),
+        row("paint.*.layer", &PaintStroke::layer, {0, most_paint_layers, 1},
+            "0: over the texture; another number: the mask of the nodes paint of that layer"),
         row("paint.*.color", &PaintStroke::color, {}, "sRGB colour"),
         row("paint.*.radius", &PaintStroke::radius, {1e-6, 1e6, 0.005, "solid units"},
             "of the ball that is moved along the points; solid.scale does not change it"),

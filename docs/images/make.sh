@@ -52,12 +52,12 @@ sheet() { # docs/guide/pictures.md
 }
 
 editor() { # README, docs/guide/textures.md, docs/guide/editor.md
-    "$bin/burl-edit" --unseen --light studio --script "$here/editor.json" --screenshot-dir "$here" --exit
+    "$bin/burl-edit" --unseen --recipe marble --script "$here/editor.json" --screenshot-dir "$here" --exit
 }
 
 tour() { # README, docs/guide/editor.md
     mkdir "$scratch/tour"
-    "$bin/burl-edit" --unseen --light studio --script "$here/editor-tour.json" --screenshot-dir "$scratch/tour" --exit
+    "$bin/burl-edit" --unseen --recipe marble --script "$here/editor-tour.json" --screenshot-dir "$scratch/tour" --exit
     img2webp -loop 0 -lossy -q 70 -d 130 "$scratch"/tour/0*.png -o "$here/editor-tour.webp" >"$scratch/log"
 }
 

@@ -87,7 +87,7 @@ void CachedGraph::synthesize(const TextureGraph& graph, const Affine3& texture_f
                                         PrecisionKind::float32, economy, {}, masks);
         return;
     }
-    const Key key{number_below(graph), texture_from_atlas};
+    const Key key{number_below(graph), texture_from_atlas, masks};
     SynthesisWork work;
     if (known_ == key) {
         work.texels = rows_.texels();

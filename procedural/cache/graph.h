@@ -30,8 +30,8 @@ class CachedGraph {
 
     /// Sets `image` to the bytes of synthesize_graph, for Pixel Rgb8, Rgb16 or RgbF, in float32
     /// without a filter. splits() must hold for the graph. `threads` 0 means all. If economy.stop
-    /// is requested, the image is unspecified. `masks` must be those of the same mesh every time:
-    /// the graph alone tells one from another.
+    /// is requested, the image is unspecified. An image of `masks` must not change once it was
+    /// given.
     template <class Pixel>
     void synthesize(const TextureGraph& graph, const Affine3& texture_from_atlas, int threads,
                     Image<Pixel>& image, const Economy& economy = {}, const MaskImages& masks = {});
@@ -40,11 +40,12 @@ class CachedGraph {
     std::size_t bytes() const { return values_.width() * values_.height() * sizeof(double); }
 
   private:
-    /// Cache key of the numbers besides the atlas: the graph below the map, and the map from atlas
-    /// to texture space.
+    /// Cache key of the numbers besides the atlas: the graph below the map, the map from atlas to
+    /// texture space, and the images of masks, of which one that differs is another object.
     struct Key {
         TextureGraph graph{};
         Affine3 map{};
+        MaskImages masks{};
         bool operator==(const Key&) const = default;
     };
 

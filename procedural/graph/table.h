@@ -42,13 +42,14 @@ enum class MaskKind : std::uint8_t {
     mesh_uv,        ///< components: u, v
     /// numbers: rays, distance, up, the sun's direction, its angle and the normals' crease in
     /// degrees; components: light of the sky's upper half, of its lower half, of the sun
-    lighting
+    lighting,
+    paint  ///< numbers: the layer of strokes
 };
 template <>
 inline constexpr auto enum_names<MaskKind> = enum_words("occlusion", "curvature", "thickness",
                                                         "facing", "height_in_box", "edge_distance",
                                                         "part", "vertex_color", "mesh_uv",
-                                                        "lighting");
+                                                        "lighting", "paint");
 
 /// The mask that a type of node reads: its kind, how many components it has (none where the node is
 /// no mask), and how many of the node's leading numbers decide about its values.

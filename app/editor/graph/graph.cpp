@@ -8,6 +8,7 @@
 
 #include "app/edit/clip.h"
 #include "app/edit/node_kinds.h"
+#include "app/edit/paint_layers.h"
 #include "app/edit/steps.h"
 #include "app/editor/widgets/keys.h"
 #include "app/editor/widgets/widgets.h"
@@ -34,6 +35,11 @@ std::string input_words(const NodeGraph& graph, std::size_t owner, const std::st
     return owner == 0 ? input->words : fmt::format("{} of {}", input->words, node.words);
 }
 
+/// The text of a node `paint` with a layer of its own.
+std::string new_paint(const Recipe& recipe) {
+    return fmt::format("paint layer={}", free_paint_layer(recipe));
+}
+
 }  // namespace
 
 void EditGraph::build(EditSession& session, const std::function<GraphEdit(const Recipe&)>& edit) {
@@ -50,6 +56,9 @@ void EditGraph::open_search(GraphSearch::Purpose purpose, const std::string& pla
     std::string title = "Add a node for later";
     if (purpose == GraphSearch::Purpose::replace)
         title = fmt::format("Replace {}", graph.nodes[graph.find(place).value_or(0)].words);
+    else if (purpose == GraphSearch::Purpose::after)
+        title = fmt::format("Add a node that goes on with {}",
+                            graph.nodes[model_.node_at(place).value_or(0)].words);
     else if (is_input)
         title = fmt::format("Add a node at {}", input_words(graph, *model_.owner_of(place), place));
     else if (!place.empty())
@@ -60,13 +69,16 @@ void EditGraph::open_search(GraphSearch::Purpose purpose, const std::string& pla
                  std::move(title), search_at_);
 }
 
-void EditGraph::take(EditSession& session, const GraphSearch::Choice& choice) {
+void EditGraph::take(EditSession& session, const GraphSearch::Choice& chosen) {
+    GraphSearch::Choice choice = chosen;
+    if (!choice.is_name && choice.text == "paint") choice.text = new_paint(session.recipe());
     const std::string origin = session.recipe_path(), place = choice.wish.place;
     build(session, [&](const Recipe& recipe) {
         if (choice.is_name) return connect(recipe, "define." + choice.text, place);
-        return choice.wish.purpose == GraphSearch::Purpose::replace
-                   ? replace_node(recipe, place, choice.text, origin)
-                   : add_node(recipe, place, choice.text, origin);
+        const auto step = choice.wish.purpose == GraphSearch::Purpose::replace ? replace_node
+                          : choice.wish.purpose == GraphSearch::Purpose::after ? add_node_after
+                                                                               : add_node;
+        return step(recipe, place, choice.text, origin);
     });
 }
 
@@ -116,6 +128,24 @@ void EditGraph::look(const GraphHooks& hooks) {
     if (!node || *node == 0) return;
     const std::string place = model_.graph().nodes[*node].place;
     hooks.look(place == hooks.looking_at ? "" : place);
+}
+
+void EditGraph::paint(EditSession& session, const GraphHooks& hooks, const std::string& place) {
+    const auto layer_at = [&](const std::string& at) -> std::optional<int> {
+        const auto node = model_.graph().find(at);
+        if (!node || model_.graph().nodes[*node].type != "paint") return {};
+        return model_.graph().nodes[*node].json.value("layer", 1);
+    };
+    std::optional<int> layer = layer_at(place);
+    if (!layer) {
+        const std::string mask = place + ".mask";
+        layer = layer_at(mask);
+        if (!layer)
+            build(session,
+                  [&](const Recipe& recipe) { return add_node(recipe, mask, new_paint(recipe)); });
+        layer = layer_at(mask);
+    }
+    if (layer) hooks.paint(*layer);
 }
 
 bool EditGraph::shortcuts(const PanelContext& context, const GraphHooks& hooks) {

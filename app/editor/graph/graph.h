@@ -21,6 +21,8 @@ struct GraphHooks {
     std::function<void(const std::string& text)> set_clipboard{};
     /// Shows what the node at a place gives on the object; an empty place ends that.
     std::function<void(const std::string& place)> look{};
+    /// Takes the brush, which then paints into a layer of paint.
+    std::function<void(int layer)> paint{};
     std::string looking_at{};  ///< place of the node that the object shows; empty: none
 };
 
@@ -54,6 +56,9 @@ class EditGraph {
     void paste(EditSession& session, const GraphHooks& hooks);
     void group(EditSession& session);
     void look(const GraphHooks& hooks);
+    /// Takes the brush for the mask of a node `paint`, or for that of a layer `blend`, which gets a
+    /// new one where its mask is another node.
+    void paint(EditSession& session, const GraphHooks& hooks, const std::string& place);
 
   private:
     /// The effect of a drag on the canvas.
@@ -67,7 +72,7 @@ class EditGraph {
 
     // graph.cpp: the window
     void canvas(const PanelContext& context, const GraphHooks& hooks, Canvas canvas);
-    void take(EditSession& session, const GraphSearch::Choice& choice);
+    void take(EditSession& session, const GraphSearch::Choice& chosen);
     void menu(const PanelContext& context, const GraphHooks& hooks);
     // graph_draw.cpp: nodes and wires
     void draw(const Canvas& canvas, const GraphHooks& hooks, EditItems& items);

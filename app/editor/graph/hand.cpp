@@ -84,9 +84,12 @@ void EditGraph::drop_wire(EditSession& session, const Canvas& canvas, const Vec2
     const std::string input = input_under(canvas, at);
     const std::string node = node_under(canvas, at);
     const std::string held = held_;
+    search_at_ = {float(at.x), float(at.y)};
     if (grip_ == Grip::wire_from) {
         if (!input.empty())
             build(session, [&](const Recipe& recipe) { return connect(recipe, held, input); });
+        else if (node.empty() && canvas.hovered)
+            open_search(GraphSearch::Purpose::after, held);
         return;
     }
     const bool wired = model_.node_at(held) != model_.owner_of(held);
@@ -96,6 +99,8 @@ void EditGraph::drop_wire(EditSession& session, const Canvas& canvas, const Vec2
         build(session, [&](const Recipe& recipe) { return connect(recipe, node, held); });
     else if (node.empty() && wired)
         build(session, [&](const Recipe& recipe) { return disconnect(recipe, held); });
+    else if (node.empty() && canvas.hovered)
+        open_search(GraphSearch::Purpose::add, held);
 }
 
 void EditGraph::drop(EditSession& session, const Canvas& canvas, const Vec2d& at) {
@@ -137,6 +142,8 @@ void EditGraph::hand(const PanelContext& context, const GraphHooks& hooks, const
     }
     moved_ |= grip_ != Grip::none && glm::length(at - pressed_at_) >= least_drag;
     if (grip_ == Grip::pan && ImGui::IsItemActive() && moved_) model_.follows_layout = false;
+    if (grip_ == Grip::pan && ImGui::IsItemActive() && moved_)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (grip_ == Grip::pan && ImGui::IsItemActive())
         model_.camera.offset -= Vec2d(io.MouseDelta.x, io.MouseDelta.y) / model_.camera.zoom;
     if (ImGui::IsItemDeactivated()) {

@@ -12,6 +12,7 @@
 #include "app/editor/graph/graph.h"
 #include "app/editor/panels/parameters.h"
 #include "app/editor/session/groups.h"
+#include "app/editor/widgets/flow.h"
 
 namespace burl {
 
@@ -65,7 +66,7 @@ class NodePanel {
     }
 
     void heading(const GraphNodeView& view) {
-        ImGui::TextUnformatted(view.words.c_str());
+        ImGui::TextWrapped("%s", view.words.c_str());
         context_.items.note("node words");
         const NodeType* type = find_node(view.type);
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
@@ -90,21 +91,39 @@ class NodePanel {
 
     void buttons(const GraphNodeView& view) {
         const bool looks = hooks_.looking_at == view.place;
-        if (button(looks ? "End look" : "Look", "node look")) graph_.look(hooks_);
-        ImGui::SameLine();
-        if (button("Add before", "node add"))
+        const char* const look = looks ? "End look" : "Look";
+        const std::vector<float> widths{button_width(look), button_width("Add before"),
+                                        button_width("Replace"), button_width("Delete"),
+                                        button_width("Write out")};
+        Flow flow(widths);
+        const auto next = [&](const char* words, const char* item, const char* sentence) {
+            flow.next();
+            const bool clicked = button(words, item);
+            tip(sentence);
+            return clicked;
+        };
+        if (next(look, "node look", "Shows what this node gives on the object, alone (Enter)."))
+            graph_.look(hooks_);
+        if (next("Add before", "node add", "Puts a new node in this one's place (Insert)."))
             graph_.open_search(GraphSearch::Purpose::add, view.place);
-        ImGui::SameLine();
-        if (button("Replace", "node replace"))
+        if (next("Replace", "node replace", "Takes another node here, with the same inputs."))
             graph_.open_search(GraphSearch::Purpose::replace, view.place);
-        ImGui::SameLine();
-        if (button("Delete", "node delete")) graph_.erase(context_.session);
-        if (view.name.empty()) return;
-        ImGui::SameLine();
-        if (button("Write out", "node write out"))
+        if (next("Delete", "node delete", "Takes the node away; what it changes stays (Delete)."))
+            graph_.erase(context_.session);
+        if (!view.name.empty() && next("Write out", "node write out",
+                                       "Copies it to all that use it, and drops the name."))
             build([&](const Recipe& recipe) { return inline_name(recipe, view.name); });
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("Copies it to all that use it, and drops the name");
+        paints(view);
+    }
+
+    /// The button that takes the brush, of a node `paint` and of a layer.
+    void paints(const GraphNodeView& view) {
+        const bool layer = view.type == "blend";
+        if (!layer && view.type != "paint") return;
+        if (button(layer ? "Paint the mask" : "Paint it", "node paint"))
+            graph_.paint(context_.session, hooks_, view.place);
+        tip(layer ? "Takes the brush: where you paint on the object this layer shows."
+                  : "Takes the brush: where you paint on the object this mask is 1.");
     }
 
     /// The leaves that the node itself has, or those of a part of it.

@@ -41,8 +41,10 @@ std::vector<GraphSearch::Row> GraphSearch::rows() const {
             found.push_back({name, "connect this name", true});
     const std::size_t names = text_.empty() ? 0 : found.size();
     std::vector<Row> nodes;
-    for (const NodeType* type : nodes_with(text_))
+    for (const NodeType* type : nodes_with(text_)) {
+        if (wish_.purpose == Purpose::after && type->inputs().empty()) continue;
         nodes.push_back({std::string(type->name), std::string(type->text)});
+    }
     // A search finds names first; the whole table has them last.
     found.insert(found.begin() + std::ptrdiff_t(names), nodes.begin(), nodes.end());
     return found;

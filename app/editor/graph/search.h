@@ -15,7 +15,11 @@ namespace burl {
 class GraphSearch {
   public:
     /// The use that is made of the choice.
-    enum class Purpose { add, replace };
+    enum class Purpose {
+        add,
+        replace,
+        after  ///< a node that goes on with the one at the place
+    };
     struct Wish {
         Purpose purpose = Purpose::add;
         std::string place{};               ///< empty: a node for later

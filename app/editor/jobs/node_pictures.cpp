@@ -28,13 +28,15 @@ void NodePictures::set_light(BallLight light) {
     cancel();
 }
 
-void NodePictures::request(const Recipe& recipe, const std::vector<std::string>& places, int side) {
+void NodePictures::request(const Recipe& recipe, const std::string& mesh,
+                           const std::vector<std::string>& places, int side) {
     const auto shared = std::make_shared<const Recipe>(recipe);
     const std::scoped_lock lock(mutex_);
     for (const std::string& place : places)
-        jobs_.add([this, ball = Ball{shared, place, side, light_}](const std::stop_token& stop) {
-            if (!stop.stop_requested()) make(ball);
-        });
+        jobs_.add(
+            [this, ball = Ball{shared, mesh, place, side, light_}](const std::stop_token& stop) {
+                if (!stop.stop_requested()) make(ball);
+            });
 }
 
 NodePictures::Picture NodePictures::picture(const std::string& place) const {
@@ -49,20 +51,31 @@ NodePictures::Picture NodePictures::known(const std::string& key) {
     return found == drawn_.end() ? nullptr : found->second;
 }
 
+NodePictures::Picture NodePictures::drawn_on_mesh(const Recipe& look, const std::string& mesh,
+                                                  int side) {
+    if (std::exchange(mesh_path_, mesh) != mesh) {
+        mesh_.reset();
+        mesh_.emplace(mesh);
+    }
+    return mesh_ ? std::make_shared<const Image<Rgb8>>(mesh_->picture(look, side)) : nullptr;
+}
+
 void NodePictures::make(const Ball& ball) {
     std::string key;
     Picture picture;
     try {
         Recipe look = look_at(*ball.recipe, ball.place).recipe;
+        const bool masked = reads_masks(look);
         look.name.clear();
         look.about.clear();
         look.atlas = {};
-        key = fmt::format("{} {}", ball.side, to_json(look));
+        key = fmt::format("{} {} {}", ball.side, masked ? ball.mesh : "", to_json(look));
         picture = known(key);
-        // Averages would be grey where a node is finer than the ball's pixels.
         if (!picture)
-            picture = std::make_shared<const Image<Rgb8>>(
-                ball_picture(look, ball.side, "none", ball.light));
+            // Averages would be grey where a node is finer than the ball's pixels.
+            picture = masked ? drawn_on_mesh(look, ball.mesh, ball.side)
+                             : std::make_shared<const Image<Rgb8>>(
+                                   ball_picture(look, ball.side, "none", ball.light));
     } catch (const Error&) {  // a node that cannot be drawn by itself has no picture
     }
     {

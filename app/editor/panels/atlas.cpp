@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/editor/widgets/flow.h"
 #include "app/editor/widgets/slider.h"
 #include "app/editor/widgets/widgets.h"
 #include "app/image/image_diff.h"
@@ -74,21 +75,41 @@ void error_legend(const SheetPicture& picture, bool late) {
         ImGui::Text("max %.3f, RMS %.3f, rounding 0.5", picture.largest, picture.rms);
 }
 
+/// Chooses the mode by buttons in at most two lines, or from a list where they need more.
+void mode_choice(const PanelContext& context, SheetMode& mode) {
+    std::vector<float> widths;
+    for (const std::string_view name : sheet_mode_names)
+        widths.push_back(ImGui::CalcTextSize(std::string(name).c_str()).x +
+                         ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().ItemInnerSpacing.x);
+    const bool listed = Flow::lines(widths, ImGui::GetContentRegionAvail().x) > 2;
+    Flow flow(widths);
+    if (listed) ImGui::SetNextItemWidth(-1.0f);
+    const std::string now(sheet_mode_names[std::size_t(mode)]);
+    const bool open = !listed || ImGui::BeginCombo("##mode", now.c_str());
+    if (listed) context.items.note("atlas mode");
+    for (std::size_t k = 0; open && k < sheet_mode_names.size(); ++k) {
+        const std::string name(sheet_mode_names[k]), item = "atlas mode " + name;
+        const bool on = mode == SheetMode(k);
+        if (!listed) flow.next();
+        if (listed ? ImGui::Selectable(name.c_str(), on)
+                   : radio_button(context.items, name.c_str(), item, on))
+            mode = SheetMode(k);
+        if (listed) context.items.note(item);
+        tip(mode_sentences[k]);
+    }
+    if (listed && open) ImGui::EndCombo();
+}
+
+/// Draws a quiet line, shortened where the panel is narrow; its tip has all of it.
+void quiet_line(const char* text) {
+    ImGui::TextDisabled("%s", shortened(text, ImGui::GetContentRegionAvail().x).c_str());
+    tip(text);
+}
+
 }  // namespace
 
 void atlas_controls(const PanelContext& context, AtlasViewState& state, int coarsest) {
-    const float right = ImGui::GetWindowContentRegionMax().x;
-    for (std::size_t k = 0; k < sheet_mode_names.size(); ++k) {
-        const std::string name(sheet_mode_names[k]);
-        const float width = ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFrameHeight() +
-                            2.0f * ImGui::GetStyle().ItemInnerSpacing.x;
-        if (k > 0) ImGui::SameLine();
-        if (k > 0 && ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
-        if (radio_button(context.items, name.c_str(), "atlas mode " + name,
-                         state.mode == SheetMode(k)))
-            state.mode = SheetMode(k);
-        tip(mode_sentences[k]);
-    }
+    mode_choice(context, state.mode);
     state.level = std::clamp(state.level, 0, coarsest);
     begin_row("MIP level", "atlas");
     double level = state.level;
@@ -100,13 +121,13 @@ void atlas_controls(const PanelContext& context, AtlasViewState& state, int coar
 
 void atlas_legend(SheetMode mode, const SheetPicture* picture, bool late) {
     if (mode == SheetMode::texture)
-        ImGui::TextDisabled("the texture as it lies in its atlas");
+        quiet_line("the texture as it lies in its atlas");
     else if (!picture)
-        ImGui::TextDisabled("at work ...");
+        quiet_line("at work ...");
     else if (mode == SheetMode::solid)
-        ImGui::TextDisabled("x, y, z of the solid as red, green, blue");
+        quiet_line("x, y, z of the solid as red, green, blue");
     else if (mode == SheetMode::charts)
-        ImGui::TextDisabled("a colour for each chart");
+        quiet_line("a colour for each chart");
     else if (mode == SheetMode::scale)
         scale_legend();
     else
@@ -115,7 +136,7 @@ void atlas_legend(SheetMode mode, const SheetPicture* picture, bool late) {
 
 void atlas_readout(const std::optional<TexelView>& texel) {
     if (!texel) {
-        ImGui::TextDisabled("point at the atlas or at the object");
+        quiet_line("point at the atlas or at the object");
         return;
     }
     std::string text = fmt::format("texel {}, {}", texel->x, texel->y);

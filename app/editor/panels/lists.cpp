@@ -14,11 +14,6 @@ namespace burl {
 
 namespace {
 
-struct KeyLine {
-    const char* keys;
-    const char* does;  ///< null: `keys` is the heading of what follows
-};
-
 constexpr auto key_lines = std::to_array<KeyLine>({
     {"The object", nullptr},
     {"left drag", "turn it"},
@@ -26,27 +21,32 @@ constexpr auto key_lines = std::to_array<KeyLine>({
     {"wheel", "nearer, farther, where the pointer is"},
     {"F", "fit into the view"},
     {"1, 3, 7", "front, side, top"},
-    {"L, T", "light, turntable"},
+    {"L", "light, or the texture's own colours; View > Light: which light"},
+    {"T", "turntable"},
     {"W, B", "wireframe, borders of charts"},
-    {"V", "the atlas beside the object"},
+    {"V", "the atlas beside the object; over it F fits it"},
     {"The texture", nullptr},
-    {"G", "move it: drag, arrow keys; Shift turns, Ctrl sizes"},
-    {"P", "paint on the surface"},
+    {"G", "move it: drag, arrow keys; Shift turns, Ctrl sizes; Escape: back"},
+    {"P", "paint on the surface: a colour, or a mask of the graph"},
     {"comma, period; X", "smaller, larger brush; eraser"},
     {"Alt+left drag", "turn the object all the same"},
     {"A; Shift+A, Shift+B", "compare with what was opened, or kept; keep as A, as B"},
-    {"Ctrl+Z, Ctrl+Y", "undo, redo"},
-    {"The graph", nullptr},
-    {"N", "nodes and wires"},
-    {"Insert, Delete, Enter", "add a node, delete, look at it alone"},
-    {"Ctrl+C, V, X, G; F", "copy, paste, cut, group; fit"},
+    {"Ctrl+Z; Ctrl+Y, Ctrl+Shift+Z", "undo; redo"},
     {"Sliders", nullptr},
     {"double-click", "as it was opened; again: the default"},
     {"Ctrl-click", "type a number"},
     {"Shift while dragging", "a tenth of the speed"},
     {"arrows, Space, Tab", "go through the panels, use, edit"},
+    {"The graph", nullptr},
+    {"N", "nodes and wires"},
+    {"Insert, Tab, Space", "add a node; so does a wire dropped beside all nodes"},
+    {"Delete, Backspace", "delete what is chosen"},
+    {"Enter; Escape", "look at a node alone; end that, choose nothing"},
+    {"Ctrl+C, Ctrl+X, Ctrl+V", "copy, cut, paste nodes"},
+    {"Ctrl+G; F", "group; fit"},
+    {"arrows", "choose in the tree"},
     {"Files", nullptr},
-    {"Ctrl+O, F5", "open a mesh or recipe; read them again"},
+    {"Ctrl+O; F5", "open a mesh or recipe; read them again"},
     {"Ctrl+S, Ctrl+Shift+S", "save the recipe; under another name"},
     {"Ctrl+E", "export mesh, texture or shader"},
     {"Ctrl+C, Ctrl+V", "copy, paste the recipe as JSON"},
@@ -54,14 +54,14 @@ constexpr auto key_lines = std::to_array<KeyLine>({
     {"F12", "screenshot"},
     {"Ctrl+Q", "quit; asks where something is not saved"},
     {"Time", nullptr},
-    {"K", "timeline"},
-    {"Space", "play, stop"},
+    {"K; Space", "timeline; play, stop"},
     {"I, Delete", "key the number last touched; remove the chosen key"},
     {"The window", nullptr},
-    {"Ctrl+plus, minus, 0", "larger, smaller, normal text"},
+    {"Ctrl+Plus, Ctrl+Minus, Ctrl+0", "larger, smaller, normal text"},
     {"F1", "this list"},
 });
-constexpr std::size_t second_column = 16;  // the first line of the right half, a heading
+constexpr std::size_t second_column = 22;  // the first line of the right half, a heading
+constexpr float two_columns = 70.0f;       // width of both halves, in font sizes
 
 /// Draws a half of the list of keys.
 void key_table(const char* id, std::span<const KeyLine> lines) {
@@ -80,7 +80,13 @@ void key_table(const char* id, std::span<const KeyLine> lines) {
         ImGui::TextUnformatted(line.keys);
         ImGui::PopStyleColor();
         ImGui::TableNextColumn();
+        // Where the window is narrow, lines end at its edge.
+        const float room = ImGui::GetIO().DisplaySize.x - 3.0f * ImGui::GetFontSize();
+        const float wide = ImGui::CalcTextSize(line.does).x;
+        const float at = ImGui::GetCursorPosX();
+        ImGui::PushTextWrapPos(at + std::min(wide + 1.0f, std::max(room - at, 0.2f * room)));
         ImGui::TextUnformatted(line.does);
+        ImGui::PopTextWrapPos();
     }
     ImGui::EndTable();
 }
@@ -114,6 +120,10 @@ LeftAnswer left_row(const PanelContext& context, EditAutosave& autosave, std::si
 
 }  // namespace
 
+std::span<const KeyLine> keys_listed() {
+    return key_lines;
+}
+
 void log_panel(const PanelContext& context) {
     for (const LogLine& line : context.session.log()) {
         if (line.problem) ImGui::PushStyleColor(ImGuiCol_Text, palette().problem);
@@ -130,7 +140,8 @@ bool cheat_sheet(const PanelContext& context) {
         ImGui::BeginGroup();
         key_table("left", all.first(second_column));
         ImGui::EndGroup();
-        ImGui::SameLine(0.0f, 2.0f * ImGui::GetFontSize());
+        if (ImGui::GetIO().DisplaySize.x > two_columns * ImGui::GetFontSize())
+            ImGui::SameLine(0.0f, 2.0f * ImGui::GetFontSize());
         ImGui::BeginGroup();
         key_table("right", all.subspan(second_column));
         ImGui::EndGroup();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/edit/paint_layers.h"
 #include "app/editor/widgets/keys.h"
 #include "app/editor/widgets/slider.h"
 #include "app/editor/widgets/widgets.h"
@@ -37,14 +38,51 @@ void brush_row(const PanelContext& context, double& value, const BrushNumber& nu
 void modes(const PanelContext& context, PaintMode& mode) {
     if (radio_button(context.items, "paint", "paint.paint", mode == PaintMode::paint))
         mode = PaintMode::paint;
-    tip("Lays the colour over the texture.");
+    tip("Lays the colour over the texture, or raises the mask.");
     ImGui::SameLine();
     if (radio_button(context.items, "erase", "paint.erase", mode == PaintMode::erase))
         mode = PaintMode::erase;
-    tip("Uncovers the texture again (X).");
+    tip("Uncovers the texture again, or lowers the mask (X).");
+}
+
+std::string layer_words(int layer) {
+    return layer == 0 ? "the colour" : fmt::format("mask {}", layer);
+}
+
+/// Chooses the layer that the brush paints into: the colour over the texture, or a mask.
+void layer_row(const PanelContext& context, int& layer) {
+    std::vector<int> layers = paint_layers(context.session.recipe());
+    layers.insert(layers.begin(), 0);
+    if (std::ranges::count(layers, layer) == 0) layers.push_back(layer);
+    const bool open = ImGui::BeginCombo("##into", layer_words(layer).c_str());
+    context.items.note("paint.into");
+    tip("What the brush paints: colour over the texture, or a mask, which is what a node paint of "
+        "the graph gives. A new node begins a new mask.");
+    if (open) {
+        for (const int one : layers) {
+            if (ImGui::Selectable(layer_words(one).c_str(), one == layer)) layer = one;
+            context.items.note(fmt::format("paint.into={}", one));
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+    ImGui::TextUnformatted("into");
+}
+
+/// The number of the layer's strokes, and the button that takes them away.
+void strokes_row(const PanelContext& context, int layer) {
+    const auto strokes =
+        std::size_t(std::ranges::count(context.session.recipe().paint, layer, &PaintStroke::layer));
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("%zu stroke%s", strokes, strokes == 1 ? "" : "s");
+    ImGui::SameLine();
+    if (ImGui::Button("Clear") && strokes > 0) clear_paint(context.session, layer);
+    context.items.note("paint.clear");
+    tip("Takes the paint of this layer away, as one step.");
 }
 
 constexpr int brush_points = 48;
+constexpr Rgb8 mask_ring{0x40, 0xc0, 0xff};
 constexpr int most_steps = 200;  // limit of points between two pointer positions
 
 double solid_units(const ObjectView& view) {
@@ -58,9 +96,11 @@ double pixels_per_unit(const ObjectView& view, const SurfaceHit& hit) {
 
 }  // namespace
 
-void clear_paint(EditSession& session) {
+void clear_paint(EditSession& session, std::optional<int> layer) {
     Recipe recipe = session.recipe();
-    recipe.paint.clear();
+    std::erase_if(recipe.paint, [&](const PaintStroke& stroke) {
+        return stroke.layer == layer.value_or(stroke.layer);
+    });
     session.history().end_gesture();
     session.history().change(std::move(recipe));
 }
@@ -77,6 +117,7 @@ void paint_panel(const PanelContext& context, PaintTool& tool, const ImVec2& low
     if (!tool.on) return;
     if (begin_tool_window("Paint (P)", tool.on, low)) {
         ImGui::PushItemWidth(slider_width * float(interface_scale()));
+        layer_row(context, tool.brush.layer);
         modes(context, tool.brush.mode);
         brush_row(context, tool.brush.radius,
                   {"radius",
@@ -87,16 +128,12 @@ void paint_panel(const PanelContext& context, PaintTool& tool, const ImVec2& low
                   {"hardness", {0.0, 1.0}, "The share of the ball that is covered evenly."});
         brush_row(context, tool.brush.opacity,
                   {"opacity", {0.0, 1.0}, "How much a stroke covers what is below it."});
-        edit_color("colour", tool.brush.color);
-        context.items.note("paint.colour");
+        if (tool.brush.layer == 0) {
+            edit_color("colour", tool.brush.color);
+            context.items.note("paint.colour");
+        }
         ImGui::PopItemWidth();
-        const std::size_t strokes = context.session.recipe().paint.size();
-        ImGui::AlignTextToFramePadding();
-        ImGui::Text("%zu stroke%s", strokes, strokes == 1 ? "" : "s");
-        ImGui::SameLine();
-        if (ImGui::Button("Clear") && strokes > 0) clear_paint(context.session);
-        context.items.note("paint.clear");
-        tip("Takes all paint away, as one step.");
+        strokes_row(context, tool.brush.layer);
     }
     ImGui::End();
 }
@@ -161,7 +198,7 @@ void EditPaint::draw(const ObjectView& view) const {
         }
         list.AddPolyline(points.data(), brush_points, color, ImDrawFlags_Closed, width);
     };
-    const Rgb8& c = tool.brush.color;
+    const Rgb8 c = tool.brush.layer == 0 ? tool.brush.color : mask_ring;
     const bool erases = tool.brush.mode == PaintMode::erase;
     ring(tool.brush.radius, IM_COL32(0, 0, 0, 200), 4.0f);
     ring(tool.brush.radius, erases ? IM_COL32(255, 255, 255, 255) : IM_COL32(c.r, c.g, c.b, 255),

@@ -19,8 +19,8 @@ void paint_shortcuts(PaintTool& tool);
 /// on.
 void paint_panel(const PanelContext& context, PaintTool& tool, const ImVec2& low);
 
-/// Removes all paint as one step.
-void clear_paint(EditSession& session);
+/// Removes the paint of a layer, or all paint, as one step.
+void clear_paint(EditSession& session, std::optional<int> layer = {});
 
 /// The paint tool. All functions are called by the user interface's thread.
 class EditPaint {

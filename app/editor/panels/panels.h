@@ -3,6 +3,7 @@
 // their own is what is shown and selected.
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,15 @@ void metrics_panel(const MetricsView& view);
 
 /// Draws the log, newest line last.
 void log_panel(const PanelContext& context);
+
+/// A line of the list of keys: what is pressed, several parted by ", " or "; ", and what it does.
+struct KeyLine {
+    const char* keys;
+    const char* does;  ///< null: `keys` is the heading of what follows
+};
+
+/// The list of keys and gestures.
+std::span<const KeyLine> keys_listed();
 
 /// Draws the window of keys and gestures; returns false once it was closed.
 bool cheat_sheet(const PanelContext& context);

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "app/editor/panels/panels.h"
+#include "app/editor/widgets/flow.h"
 
 namespace burl {
 
@@ -20,21 +21,28 @@ void kept_state(const PanelContext& context, std::size_t index) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(name.c_str());
     ImGui::SameLine();
+    const char* const back = "go back to it";
+    const char* const none = "nothing kept";
+    const std::vector<float> widths =
+        kept ? std::vector{button_width("keep this"), button_width(back), button_width("forget")}
+             : std::vector{button_width("keep this"), ImGui::CalcTextSize(none).x};
+    Flow flow(widths);
+    flow.next();
     if (ImGui::Button("keep this")) kept = context.session.recipe();
     context.items.note("keep:" + name);
     if (kept) {
-        ImGui::SameLine();
-        if (ImGui::Button("go back to it"))
+        flow.next();
+        if (ImGui::Button(back))
             context.session.build([&](const Recipe&) {
                 return GraphEdit{*kept, fmt::format("go back to {}", name), ""};
             });
         context.items.note("back to:" + name);
-        ImGui::SameLine();
+        flow.next();
         if (ImGui::Button("forget")) kept.reset();
         context.items.note("forget:" + name);
     } else {
-        ImGui::SameLine();
-        ImGui::TextDisabled("nothing kept");
+        flow.next();
+        ImGui::TextDisabled("%s", none);
     }
     ImGui::PopID();
 }
@@ -44,7 +52,9 @@ void kept_state(const PanelContext& context, std::size_t index) {
 void steps_panel(const PanelContext& context) {
     EditHistory& history = context.session.history();
     for (std::size_t i = 0; i < context.session.kept.size(); ++i) kept_state(context, i);
-    ImGui::TextDisabled("The key A shows them one after the other.");
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+    ImGui::TextWrapped("The key A shows them one after the other.");
+    ImGui::PopStyleColor();
     ImGui::Separator();
     if (ImGui::BeginChild("steps")) {
         for (std::size_t i = 0; i < history.step_count(); ++i) {

@@ -7,6 +7,11 @@
 
 namespace burl {
 
+/// The width of a button with these words.
+inline float button_width(const char* words) {
+    return ImGui::CalcTextSize(words).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+}
+
 /// Places widgets of known widths beside each other, in as many lines as they need.
 class Flow {
   public:

@@ -29,6 +29,13 @@ inline constexpr const char* borders = "\uf126";
 inline constexpr const char* paint = "\uf1fc";
 inline constexpr const char* atlas = "\uf278";
 inline constexpr const char* close = "\uf00d";
+inline constexpr const char* library = "\uf02d";
+inline constexpr const char* parameters = "\uf1de";
+inline constexpr const char* colors = "\uf043";
+inline constexpr const char* node = "\uf0e8";
+inline constexpr const char* steps = "\uf1da";
+inline constexpr const char* metrics = "\uf080";
+inline constexpr const char* log = "\uf0f6";
 inline constexpr const char* done = "\uf058";
 inline constexpr const char* not_done = "\uf10c";
 }  // namespace icon

@@ -22,6 +22,10 @@ GraphHooks EditorProgram::graph_hooks() {
     hooks.clipboard = [this] { return window_->clipboard(); };
     hooks.set_clipboard = [this](const std::string& text) { window_->set_clipboard(text); };
     hooks.look = [this](const std::string& place) { requests_.look(place); };
+    hooks.paint = [this](int layer) {
+        viewport_.paint.tool.brush.layer = layer;
+        if (!viewport_.paint.tool.on) viewport_.take_tool(viewport_.paint.tool.on);
+    };
     hooks.looking_at = requests_.looking_at();
     return hooks;
 }
@@ -54,7 +58,9 @@ void EditorProgram::graph_window(const ImVec2& low, const ImVec2& size) {
     ImGui::SetNextWindowPos({low.x, low.y + border});
     ImGui::SetNextWindowSize({size.x, std::max(1.0f, size.y - border)});
     graph_.window({session_, items_}, graph_hooks());
-    if (node_gallery_) node_gallery_->follow(graph_, session_, viewport_.light.on_host());
+    if (node_gallery_)
+        node_gallery_->follow(graph_, session_,
+                              {loader_.files().mesh(), viewport_.light.on_host()});
 }
 
 /// Tells over the object what is shown there in the recipe's place.

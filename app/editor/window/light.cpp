@@ -31,6 +31,7 @@ std::shared_ptr<const GlLight> EditLight::light() {
         on_host_ = std::make_shared<const PrefilteredLight>(coming_.get());
         light_ = std::make_shared<const GlLight>(*gl_, *on_host_);
     }
+    lit_ = lit_ || !coming_.valid();
     return light_;
 }
 

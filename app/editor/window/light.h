@@ -29,6 +29,8 @@ class EditLight {
     /// What light() last returned, for the host; null: the headlight.
     const std::shared_ptr<const PrefilteredLight>& on_host() const { return on_host_; }
 
+    /// Whether the first light of all is still being prepared, before which nothing is lit.
+    bool begins() const { return coming_.valid() && !light_ && !lit_; }
     /// Whether the light chosen is the one that light() last returned.
     bool idle() const { return !coming_.valid(); }
     void wait() const {
@@ -42,6 +44,7 @@ class EditLight {
     std::shared_ptr<const GlLight> light_;
     std::shared_ptr<const PrefilteredLight> on_host_;
     std::future<PrefilteredLight> coming_;
+    bool lit_ = false;  ///< whether light() has returned the light chosen
 };
 
 }  // namespace burl

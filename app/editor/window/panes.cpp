@@ -128,7 +128,8 @@ Panes panes_of(const PaneWishes& wishes, const PaneShares& shares) {
     Panes panes;
     const float left = wide - side_width(wishes, shares.side);
     panes.side = {{left, top}, {wide, high}};
-    const float tools = std::min(1.5f * wishes.line, std::max(0.0f, high - top));
+    const float tools =
+        std::min((0.5f + float(wishes.tool_lines)) * wishes.line, std::max(0.0f, high - top));
     panes.tools = {{0.0f, top}, {left, top + tools}};
     const float room = std::max(0.0f, high - top - tools);
     const float strip = timeline_height(wishes, shares.timeline, 0.8f * room);

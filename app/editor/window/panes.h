@@ -16,6 +16,7 @@ struct PaneWishes {
     float line = 0.0f;  ///< the height of a button: the measure of what has room
     bool atlas = false;
     float timeline = 0.0f;  ///< the height that the timeline's rows need; 0: it is not shown
+    int tool_lines = 1;     ///< the lines that the tools need
 };
 
 /// The parts' rectangles; the atlas's and the timeline's are empty where they are not shown.

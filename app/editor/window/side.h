@@ -34,6 +34,8 @@ class GlEditGallery {
     /// Sets the light of thumbnails that are asked for from now on.
     void set_light(const BallLight& light) { thumbnails_.set_light(light); }
 
+    /// Whether the texture is a thumbnail's, whose texels never change.
+    bool lasts(ImTextureID texture) const { return shown_.contains(texture); }
     /// While held, no thumbnail is begun.
     void hold(bool held) { thumbnails_.hold(held); }
     void wait() const { thumbnails_.wait(); }
@@ -47,6 +49,7 @@ class GlEditGallery {
 
     const GladGLContext* gl_;
     std::map<std::pair<std::string, int>, Shown> textures_;
+    std::set<ImTextureID> shown_;  ///< all of `textures_`
     EditThumbnails thumbnails_;
 };
 
@@ -58,9 +61,19 @@ struct SideParts {
     BallLight light;                    ///< of the thumbnails
 };
 
+/// The labels of tabs: their names, icons with the name of the one in front, or icons alone.
+enum class TabLabels { names, one_name, icons };
+
 /// Draws the tabs. All functions are called by the user interface's thread.
 class SidePanels {
   public:
+    /// A tab: its name, its icon, and what it shows.
+    struct Tab {
+        const char* name;
+        const char* icon;
+        const char* tip;
+    };
+
     /// `gallery`: whether presets have thumbnails. `wake` is called by other threads when there is
     /// something new to show.
     SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake);
@@ -72,18 +85,23 @@ class SidePanels {
     /// Drops the selection of a colour stop, for another document.
     void deselect() { stop_ = {}; }
 
+    /// Whether the texture's texels never change.
+    bool lasts(ImTextureID texture) const { return gallery_ && gallery_->lasts(texture); }
     /// While held, no thumbnail is begun.
     void hold(bool held);
     /// Blocks until nothing is being made for the panels.
     void wait() const;
 
   private:
+    bool begin_tab(EditItems& items, const Tab& tab, bool front);
     MetricsView metrics(const FrontBuffer& front);
 
     GlContext& context_;
     StopSelection stop_;
     LibraryView library_;
     std::string node_shown_;
+    std::string front_;  ///< the tab in front
+    TabLabels labels_ = TabLabels::names;
     std::optional<GlEditGallery> gallery_;
     EditFigures figures_;
 };

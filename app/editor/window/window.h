@@ -3,6 +3,7 @@
 // an offscreen one for scripts and tests.
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/editor/session/input.h"
@@ -10,6 +11,9 @@
 #include "atlas/base/image.h"
 
 namespace burl {
+
+/// The shapes of the pointer.
+enum class PointerShape { arrow, text, cross, hand, resize_sideways, resize_upright, none };
 
 /// A window. All functions except wake() are called by the main thread.
 class GlWindow {
@@ -32,12 +36,20 @@ class GlWindow {
     virtual std::vector<InputEvent> poll(double seconds) = 0;
     /// Ends a wait of poll(). May be called by any thread.
     virtual void wake() = 0;
+    /// Returns whether, since the last call, wake() was called or the display lost what it showed.
+    virtual bool take_news() = 0;
     /// Factor by which text must be enlarged to be readable on this display, where screen
     /// coordinates are pixels.
     virtual double text_scale() const { return 1.0; }
     /// Requests a size in screen coordinates, which a desktop may ignore or apply later.
     virtual void resize(const glm::ivec2& size) = 0;
     virtual void set_title(const std::string& title) = 0;
+    /// Sets the shape of the pointer over the window.
+    void set_pointer(PointerShape shape) {
+        if (std::exchange(pointer_, shape) != shape) show_pointer(shape);
+    }
+    /// The shape set last.
+    PointerShape pointer() const { return pointer_; }
     virtual std::string clipboard() const = 0;
     virtual void set_clipboard(const std::string& text) = 0;
     /// Seconds since the window was made, on a steady clock.
@@ -45,6 +57,11 @@ class GlWindow {
 
   protected:
     GlWindow() = default;
+    /// Shows a shape that differs from the last one, where there is a pointer to be seen.
+    virtual void show_pointer(PointerShape) {}
+
+  private:
+    PointerShape pointer_ = PointerShape::arrow;
 };
 
 /// Opens a window on the desktop; only the main thread may create and use it. Throws

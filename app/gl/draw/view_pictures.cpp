@@ -58,7 +58,7 @@ ViewPictures::ViewPictures(Pipeline& pipeline, const Scene& scene, const LazyOpt
       varies_(has_pictures(pipeline.recipe(), Packing::gltf)),
       source_{pipeline.mesh_atlas(), pipeline.solid(), pipeline.recipe(),
               varies_ ? LevelRule{} : options.rule, pipeline.masks()} {
-    if (is_transparent(pipeline.recipe()) && !pipeline.recipe().paint.empty())
+    if (is_transparent(pipeline.recipe()) && has_color_paint(pipeline.recipe().paint))
         throw Error(ExitCode::usage,
                     "the recipe paints over a transparent texture, which is not done yet; add "
                     "--set material.alpha=opaque, or take the paint out");

@@ -62,9 +62,20 @@ std::vector<std::string> presets() {
 class GlEmitPresetTest : public GlEmitTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(GlEmitPresetTest, GivesTheHostsColours) {
-    const Recipe recipe = load_recipe(GetParam(), {"atlas.size=64", "atlas.kind=area"});
+    // A shader is of points: a preset's filter is left out.
+    const Recipe recipe =
+        load_recipe(GetParam(), {"atlas.size=64", "atlas.kind=area", "filter.kind=none"});
     // Where rounding takes a texel over a jump.
     EXPECT_LE(texels_away(recipe), GetParam() == "checker-floor" ? 200 : 20);
+}
+
+TEST(GlEmit, TellsOfTheFilterThatItLeavesOut) {
+    EXPECT_THAT(
+        emit_glsl(load_recipe("stripes"), {}).notes,
+        testing::Contains("filter trapezoid is left out: the shader gives the colour at a point"));
+    for (const std::string& note :
+         emit_glsl(load_recipe("stripes", {"filter.kind=none"}), {}).notes)
+        EXPECT_THAT(note, testing::Not(HasSubstr("filter")));
 }
 
 TEST_F(GlEmitTest, ColourMapsOfManyStopsBecomeConstants) {
@@ -73,7 +84,7 @@ TEST_F(GlEmitTest, ColourMapsOfManyStopsBecomeConstants) {
     stops.clear();
     for (int i = 0; i < 300; ++i)
         stops.push_back({i / 300.0, {std::uint8_t(i % 2), std::uint8_t(i / 2), 100}});
-    EXPECT_THAT(emit_glsl(recipe, {}).text, HasSubstr("const float color_map"));
+    EXPECT_THAT(emit_glsl(recipe, {}).text, HasSubstr("const vec4 color_map"));
     EXPECT_LE(texels_away(recipe), 20);
 }
 

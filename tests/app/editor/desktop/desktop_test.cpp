@@ -21,9 +21,11 @@ test::Outcome play(const test::Scratch& scratch, const std::string& shots,
                    const std::string& more = "", const std::string& prefix = "") {
     return test::run_program(
         scratch, "burl-edit",
-        fmt::format("sample:cube --set atlas.size=64 --set atlas.tries=1 --script '{}' "
-                    "--screenshot-dir '{}' --exit {}",
-                    scratch / "s.json", scratch / shots, more),
+        fmt::format(
+            "sample:cube --recipe marble --light headlight --set atlas.size=64 --set atlas.tries=1 "
+            "--script '{}' "
+            "--screenshot-dir '{}' --exit {}",
+            scratch / "s.json", scratch / shots, more),
         prefix);
 }
 

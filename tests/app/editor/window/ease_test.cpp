@@ -172,7 +172,7 @@ TEST_F(GlEditEaseTest, TheUpAxisIsOfTheMeshAndKept) {
         options.gallery = false;
         options.preferences = folder / "preferences.json";
         auto editor = std::make_unique<EditorProgram>(
-            create_unseen_window(create_osmesa_context(), {800, 640}), options);
+            create_unseen_window(create_test_context(), {800, 640}), options);
         play(*editor, settle);
         return editor;
     };
@@ -347,6 +347,25 @@ TEST_F(GlEditEaseTest, TheTimelineFitsWithLargeText) {
             EXPECT_LE(rect->high.y, 800.0) << item;
         }
     }
+}
+
+TEST_F(GlEditEaseTest, ThePointersShapeSaysWhatItDoes) {
+    const auto editor = start();
+    const auto shape_over = [&](const std::string& item) {
+        move_to(*editor, editor->items().find(item).value().middle());
+        play(*editor, R"({"wait": 2})");
+        return editor->pointer();
+    };
+    EXPECT_EQ(shape_over("object"), PointerShape::arrow);
+    EXPECT_EQ(shape_over("splitter:side"), PointerShape::resize_sideways);
+    EXPECT_EQ(shape_over("preset search"), PointerShape::text);
+    play(*editor, R"({"key": "P"}, {"wait": 2})");
+    EXPECT_EQ(shape_over("object"), PointerShape::cross);
+    play(*editor, R"({"key": "G"}, {"wait": 2})");
+    EXPECT_EQ(shape_over("object"), PointerShape::hand);
+    EXPECT_EQ(shape_over("tab:Log"), PointerShape::arrow);
+    play(*editor, R"({"key": "G"}, {"key": "K"}, {"wait": 2})");
+    EXPECT_EQ(shape_over("splitter:timeline"), PointerShape::resize_upright);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "app/base/file_bytes.h"
 #include "app/edit/clip.h"
 #include "app/edit/look.h"
+#include "app/pipeline/pipeline.h"
 #include "tests/app/edit/edit_cases.h"
 #include "tests/app/edit/oak_steps.h"
 #include "tests/app/editor/window/fixture.h"
@@ -236,6 +237,66 @@ TEST_F(GlEditGraph, ThePlaneIsMovedAndEnlarged) {
     EXPECT_LT(editor->graph().model().camera.offset.x, offset.x);
     EXPECT_GT(editor->graph().model().camera.offset.y, offset.y);
     EXPECT_FALSE(editor->session().history().can_undo());
+}
+
+TEST_F(GlEditGraph, AWireDroppedBesideAllNodesAsksForTheNodeBehindIt) {
+    const auto editor = start_with(mixed);
+    const Recipe before = editor->session().recipe();
+    // From a node's output: the new node goes on with it.
+    play(*editor, R"({"drag": "out:texture.amount", "by": [20, 95]}, {"wait": 2})");
+    ASSERT_TRUE(editor->graph().searching());
+    EXPECT_FALSE(editor->items().find("graph found:fbm")) << "takes nothing";
+    play(*editor, R"({"type": "smoothst"}, {"key": "Enter"}, {"wait": 2})");
+    EXPECT_EQ(editor->session().recipe(), wanted(*editor, R"("texture": {"node": "mix",
+        "a": "#ff0000", "b": "#0000ff", "amount": "fbm"}, "define":
+        {"smoothstep": {"node": "smoothstep", "input": "fbm", "low": 0, "high": 1},
+         "fbm": {"node": "fbm", "octaves": 3}})"));
+    EXPECT_EQ(editor->session().history().step(), 1u) << "one step";
+    EXPECT_EQ(editor->graph().model().current(), "define.smoothstep");
+    play(*editor, R"({"key": "Ctrl+Z"}, {"wait": 2})");
+    EXPECT_EQ(editor->session().recipe(), before);
+    // From an empty input: the new node stands there.
+    play(*editor, R"({"drag": "in:texture.a", "by": [-30, 110]}, {"wait": 2}, {"type": "marble"},
+                     {"key": "Enter"}, {"wait": 2})");
+    EXPECT_EQ(editor->session().recipe(), wanted(*editor, R"("texture": {"node": "mix",
+        "a": {"node": "marble"}, "b": "#0000ff", "amount": {"node": "fbm", "octaves": 3}})"));
+    // Escape leaves all as it was.
+    play(*editor, R"({"drag": "out:texture.amount", "by": [20, 95]}, {"wait": 2},
+                     {"key": "Escape"}, {"wait": 2})");
+    EXPECT_FALSE(editor->graph().searching());
+    EXPECT_EQ(editor->session().history().step(), 1u);
+}
+
+TEST_F(GlEditGraph, ALayersMaskIsPaintedOnTheObject) {
+    const auto editor = start_with(R"("texture": {"node": "blend", "base": "#204080",
+        "top": "#ffffff"})");
+    const Image<Rgb8> before = settled(*editor);
+    play(*editor,
+         R"({"click": "tree:texture"}, {"wait": 3}, {"click": "node paint"}, {"wait": 3})");
+    const auto& graph = editor->graph().model().graph();
+    ASSERT_TRUE(graph.find("texture.mask"));
+    EXPECT_EQ(graph.nodes[*graph.find("texture.mask")].json["layer"], 1);
+    EXPECT_GT(different(*editor, before), 1000u) << "a mask without paint hides the layer";
+    const Image<Rgb8> bare = settled(*editor);
+    play(*editor, R"({"key": "N"}, {"wait": 3}, {"drag": "object", "by": [90, 20], "frames": 6},
+                     {"wait": 2}, {"settle": true}, {"wait": 2})");
+    const Recipe& recipe = editor->session().recipe();
+    ASSERT_FALSE(recipe.paint.empty());
+    EXPECT_EQ(recipe.paint[0].layer, 1);
+    EXPECT_EQ(editor->session().history().step(), 2u);
+    EXPECT_GT(different(*editor, bare), 200u);
+    Pipeline pipeline(load_mesh("sample:cube"));
+    pipeline.set_recipe(recipe);
+    EXPECT_EQ(editor->baker().front().picture()->texels, pipeline.synthesize<Rgb8>());
+    // Another node begins a mask of its own; the brush's window goes back to the first.
+    play(*editor, R"({"key": "N"}, {"wait": 3}, {"click": "tree:texture.top"}, {"key": "Insert"}, {"type": "paint"},
+                     {"key": "Enter"}, {"wait": 3})");
+    EXPECT_EQ(graph.nodes[*graph.find(editor->graph().model().current())].json["layer"], 2);
+    play(*editor, R"({"click": "node paint"}, {"wait": 3})");
+    EXPECT_EQ(editor->paint_tool().brush.layer, 2);
+    play(*editor, R"({"click": "paint.into"}, {"wait": 2}, {"click": "paint.into=1"}, {"wait": 2},
+                     {"click": "paint.clear"}, {"wait": 2})");
+    EXPECT_TRUE(editor->session().recipe().paint.empty());
 }
 
 }  // namespace

@@ -8,11 +8,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
+#include "app/base/file_bytes.h"
 #include "app/editor/panels/parameters.h"
 #include "app/editor/window/program.h"
+#include "app/pipeline/pipeline.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/surface/sample_meshes.h"
+#include "tests/app/edit/oak_steps.h"
 #include "tests/app/programs/run_program.h"
 #include "tests/app/support/x_display.h"
 
@@ -153,7 +157,7 @@ class GlEditMouseTest : public testing::Test {
   protected:
     void SetUp() override {
         if (std::system("command -v Xvfb >/dev/null") != 0) GTEST_SKIP() << "Xvfb is not installed";
-        server = std::make_unique<test::XServer>("1100x900x24");
+        server = std::make_unique<test::XServer>("1300x900x24");
         ASSERT_FALSE(server->display().empty()) << "Xvfb did not start";
         hand = std::make_unique<XHand>(server->display());
         if (!hand->problem().empty()) GTEST_SKIP() << hand->problem();
@@ -287,6 +291,51 @@ TEST_F(GlEditMouseTest, OpensDragsUndoesSavesAndOpensAgain) {
     Person again(*hand, options(mesh, saved));
     EXPECT_EQ(again.recipe(), recipe);
     EXPECT_TRUE(again.picture() == last);
+}
+
+/// The object's part of the screen.
+Image<Rgb8> object_of(EditorProgram& editor) {
+    const Image<Rgb8> screen = editor.screenshot();
+    const ItemRect rect = editor.items().find("object").value();
+    Image<Rgb8> part(std::size_t(rect.high.x - rect.low.x), std::size_t(rect.high.y - rect.low.y));
+    for (std::size_t y = 0; y < part.height(); ++y)
+        std::ranges::copy(
+            screen.row(std::size_t(rect.low.y) + y).subspan(std::size_t(rect.low.x), part.width()),
+            part.row(y).begin());
+    return part;
+}
+
+TEST_F(GlEditMouseTest, OakIsBuiltFromNothingInAWindowAsWithoutOne) {
+    const auto bytes = read_file_bytes(test::source_folder() + "/docs/images/editor-oak.json");
+    const std::string script(bytes.begin(), bytes.end());
+    EditorOptions small = options("sample:cube", "marble");
+    small.settings = {"atlas.size=64", "atlas.tries=1"};
+    const Recipe oak = test::built_oak(load_recipe("marble", small.settings)).recipe;
+    const auto built = [&](std::unique_ptr<GlWindow> window) {
+        EditorProgram editor(std::move(window), small);
+        test::keep_libraries();
+        editor.play(parse_script(script, "oak"), "");
+        EXPECT_EQ(editor.session().recipe(), oak);
+        Pipeline pipeline(load_mesh("sample:cube"));
+        pipeline.set_recipe(oak);
+        EXPECT_EQ(editor.shown()->texels, pipeline.synthesize<Rgb8>());
+        return object_of(editor);
+    };
+    const Image<Rgb8> seen = built(create_desktop_window({1280, 800}, "Burl"));
+    const Image<Rgb8> unseen = built(create_unseen_window(create_osmesa_context(), {1280, 800}));
+    ASSERT_EQ(seen.width(), unseen.width());
+    ASSERT_EQ(seen.height(), unseen.height());
+    double squares = 0.0;
+    std::set<std::array<int, 3>> colors;
+    for (std::size_t y = 0; y < seen.height(); ++y)
+        for (std::size_t x = 0; x < seen.width(); ++x) {
+            const Rgb8 a = seen(x, y), b = unseen(x, y);
+            squares += std::pow(a.r - b.r, 2) + std::pow(a.g - b.g, 2) + std::pow(a.b - b.b, 2);
+            colors.insert({a.r, a.g, a.b});
+        }
+    EXPECT_GT(colors.size(), 1000u) << "the wood is to be seen";
+    EXPECT_LT(std::sqrt(squares / (3.0 * double(seen.width() * seen.height()))), 0.5)
+        << "codes, between two builds of software OpenGL";
 }
 
 }  // namespace
