@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace burl {
@@ -141,17 +142,22 @@ Surface coarse_surface(const Surface& surface, std::size_t most) {
     if (surface.triangles.size() <= most || !(extent.area > 0.0)) return surface;
     const Vec3d size = extent.high - extent.low;
     const double least = std::max({size.x, size.y, size.z}) / most_cells;
-    double side = std::max(least, std::sqrt(3.0 * extent.area / double(most)));
+    double side = std::max(least, std::sqrt(2.0 * extent.area / double(most)));
     Surface coarse;
     for (int tries = 0; tries < most_tries; ++tries) {
         const Clusters clusters = clusters_of(surface, extent.low, side);
-        coarse = with_vertices(surface, clusters.stand);
-        coarse.triangles = triangles_of(surface, clusters);
-        const double excess = double(coarse.triangles.size()) / double(most);
-        if (excess <= most_excess) break;
-        side *= std::max(1.1, std::sqrt(excess));
+        std::vector<Triangle> triangles = triangles_of(surface, clusters);
+        const double share = double(triangles.size()) / double(most);
+        const bool fits = share <= most_excess;
+        if (fits && triangles.size() > coarse.triangles.size()) {
+            coarse = with_vertices(surface, clusters.stand);
+            coarse.triangles = std::move(triangles);
+        }
+        // One that fits is tried with smaller cells once.
+        if (fits && (tries > 0 || share > 0.8 || side == least)) break;
+        side = std::max(least, side * std::sqrt(fits ? share / 0.9 : std::max(share, 1.2)));
     }
-    return coarse;
+    return coarse.triangles.empty() ? surface : coarse;
 }
 
 }  // namespace burl

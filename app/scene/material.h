@@ -79,6 +79,7 @@ struct SceneMaterial {
     bool unlit = false;  ///< the base colour is shown whatever the light (KHR_materials_unlit)
     std::array<int, material_slots.size()> maps = no_material_maps;
 
+    bool operator==(const SceneMaterial&) const = default;
     int map(MaterialMap which) const { return maps[std::size_t(which)]; }
     /// Whether a picture of the material is this texture.
     bool shows(int number) const {

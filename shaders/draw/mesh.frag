@@ -26,7 +26,11 @@ uniform float alpha_cutoff;
 uniform sampler2D nearer;   // depth of the layer that was drawn before
 uniform sampler2D farther;  // depth of what is opaque
 
-out vec4 fragment;
+layout(location = 0) out vec4 fragment;
+// With PLACES and AMBIENT, the light that is sent to the eye is `dark` and, times the base colour,
+// `bright`.
+layout(location = 1) out vec4 dark;
+layout(location = 2) out vec4 bright;
 
 // The shading normal in eye space, of any length.
 vec3 shading_normal() {
@@ -72,7 +76,11 @@ bool is_in_layer() {
 
 void main() {
     if (PLACES) {
-        fragment = vec4(texture_uv, level_of(base_color), LIT ? headlight() : 1.0);
+        fragment = vec4(texture_uv, level_of(base_color), LIT && !AMBIENT ? headlight() : 1.0);
+        if (AMBIENT) {
+            dark = vec4(environment_light(vec3(0.0)), 1.0);
+            bright = vec4(environment_light(vec3(1.0)), 1.0) - dark;
+        }
         return;
     }
     vec4 color = lookup(base_color) * base_color_factor * vertex_color;

@@ -24,7 +24,7 @@ std::size_t drawn_triangles(const Scene& scene);
 class EditCoarse {
   public:
     /// Scenes that draw more triangles than this have coarse surfaces; and how many these draw.
-    static constexpr std::size_t many = 100'000, few = 25'000;
+    static constexpr std::size_t many = 100'000, few = 32'000;
 
     /// `wake` is called by the worker's thread when coarse surfaces are ready.
     explicit EditCoarse(std::function<void()> wake) : wake_(std::move(wake)) {}

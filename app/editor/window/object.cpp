@@ -49,10 +49,6 @@ GlProgram encode_program(const GladGLContext& gl, bool tone_curve) {
                                         .add("draw/encode.frag"));
 }
 
-GlShading shading_of(const ObjectViewOptions& options) {
-    return {options.lit, options.light.get(), 1.0f, options.lit && options.light};
-}
-
 }  // namespace
 
 void GlEditTexture::make_storage(const std::vector<Image<Rgba8>>& levels) {
@@ -163,6 +159,9 @@ void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
     if (!made_here && (!material || !material->pictures.contains(colors)))
         upload(colors, picture->levels);
     if (material && (!picture_ || material != picture_->material.get())) {
+        const SceneMaterial* before =
+            picture_ && picture_->material ? &picture_->material->numbers : nullptr;
+        if (!before || *before != material->numbers) placed_.reset();  // its light is another
         scene_->set_material(material->numbers);
         for (const auto& [number, levels] : material->pictures) upload(number, levels);
     }
@@ -212,31 +211,30 @@ bool GlEditObject::is_direct(const ObjectViewOptions& options) const {
     return options.supersample == 1 && !options.edges && !options.borders && !scene_->has_layers();
 }
 
-/// Whether the G-buffer can hold the view's lookups.
-bool GlEditObject::keeps_places(const ObjectViewOptions& options) const {
-    return scene_ && is_direct(options) && !options.half && !options.light && scene_->has_places();
-}
-
 /// Whether coarse surfaces are drawn: not where only the texture has changed and the G-buffer does.
 bool GlEditObject::is_coarse(const ObjectViewOptions& options) const {
     return options.coarse && scene_->has_coarse() &&
            !(keeps_places(options) && (seen_ == options || placed_ == options));
 }
 
-/// A part of the triangles of a surface that is large for a software OpenGL, else all of them.
-DrawPart GlEditObject::part_of(const ObjectViewOptions& options, int number) const {
-    if (!scene_->has_coarse()) return {};
-    const std::size_t each = options.light ? part_triangles / 2 : part_triangles;
-    return {number, int(1 + drawn_triangles(surface_->scene) / each)};
+/// A part of a view that a software OpenGL draws: of the triangles of a large surface, else of the
+/// rows; others draw all.
+ViewPart GlEditObject::part_of(const ObjectViewOptions& options, int number) const {
+    if (!is_software_) return {};
+    const bool rows = !scene_->has_coarse();
+    const PictureSize size = sample_size(options);
+    const std::size_t all = rows ? std::size_t(size.width) * std::size_t(size.height)
+                                 : drawn_triangles(surface_->scene);
+    const std::size_t each = rows ? part_samples : part_triangles;
+    return {number, int(1 + all / (!options.light ? each : rows ? each / 4 : each / 2)), rows};
 }
 
-/// The number of bands of rows in which a software OpenGL draws the samples of a surface that is
-/// not large.
-int GlEditObject::row_parts(const ObjectViewOptions& options) const {
-    if (!is_software_ || scene_->has_coarse()) return 1;
-    const PictureSize size = sample_size(options);
-    const std::size_t each = options.light ? part_samples / 4 : part_samples;
-    return int(1 + std::size_t(size.width) * std::size_t(size.height) / each);
+/// Restricts drawing to the part's rows, until the scissor test is disabled.
+void GlEditObject::keep_to(const ViewPart& part, const PictureSize& samples) const {
+    if (!part.rows) return;
+    const auto row = [&](int number) { return samples.height * number / part.count; };
+    gl_->Enable(GL_SCISSOR_TEST);
+    gl_->Scissor(0, row(part.number), samples.width, row(part.number + 1) - row(part.number));
 }
 
 void GlEditObject::make_targets(const ObjectViewOptions& options) {
@@ -266,19 +264,14 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     if (part_ == 0)
         scene_->clear(tile,
                       shading.tone_curve ? Vec4f(0.0f) : Vec4f(Vec3f(background_linear()), 1.0f));
-    const int bands = pictured_ ? row_parts(options) : 1;
-    const DrawPart part = pictured_ ? part_of(options, part_) : DrawPart();
-    const auto row = [&](int band) { return samples.height * band / bands; };
-    if (bands > 1) {
-        gl_->Enable(GL_SCISSOR_TEST);
-        gl_->Scissor(0, row(part_), samples.width, row(part_ + 1) - row(part_));
-    }
-    scene_->draw(camera, samples, tile, shading, part);
-    part_ = (part_ + 1) % std::max(part.count, bands);
-    if (part_ == 0 || bands > 1) {
+    const ViewPart part = pictured_ ? part_of(options, part_) : ViewPart();
+    keep_to(part, samples);
+    scene_->draw(camera, samples, tile, shading, part.triangles());
+    if (part.rows || part.is_last()) {
         draw_layers(options);
         draw_lines(options);
     }
+    part_ = part.is_last() ? 0 : part.number + 1;
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->Disable(GL_DEPTH_TEST);
 }
@@ -287,7 +280,7 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
 void GlEditObject::draw_layers(const ObjectViewOptions& options) {
     if (!scene_->has_layers()) return;
     const PictureSize samples = sample_size(options);
-    const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
+    const Camera camera = camera_of(options.camera, surface_->sphere, pixel_size(options));
     const GlShading shading = shading_of(options);
     if (!options.every_layer)
         return scene_->draw_blended(camera, samples, {0, 0, samples.width, samples.height},
@@ -345,48 +338,6 @@ void GlEditObject::draw_view(const ObjectViewOptions& options) {
     if (is_direct(options)) return draw_pixels(options);
     draw_samples(options);
     if (part_ == 0) encode(options);
-}
-
-/// Shades from the G-buffer where it is ready, or only the texture has changed since the last
-/// frame; returns whether that was possible.
-bool GlEditObject::draw_places(const ObjectViewOptions& options) {
-    if (!keeps_places(options) || (seen_ != options && placed_ != options)) return false;
-    if (placed_ != options) find_places(options, {});
-    places_.draw(*texture(), *shown_);
-    return true;
-}
-
-/// Draws a part of the G-buffer.
-void GlEditObject::find_places(const ObjectViewOptions& options, const DrawPart& part) {
-    scene_->set_target_share(options.share);
-    places_.find(*scene_, camera_of(options.camera, surface_->sphere, options.size), *shown_,
-                 options.lit, part);
-    placed_.reset();
-    if (part.number + 1 == part.count) placed_ = options;
-}
-
-void GlEditObject::prepare(const ObjectViewOptions& moving) {
-    const bool rests = is_software_ && scene_ && pictured_ && drawn_ && part_ == 0;
-    if (!rests || moving.size != drawn_->size || !picture_) return;
-    if (std::exchange(tried_, moving) != moving) return try_programs(moving);
-    if (!keeps_places(moving) || placed_ == moving) return;
-    if (std::exchange(placing_, moving) != moving) place_part_ = 0;
-    const DrawPart part = part_of(moving, place_part_);
-    find_places(moving, part);
-    place_part_ = (part.number + 1) % part.count;
-}
-
-/// Draws the moving view very small: a software OpenGL compiles programs when it draws.
-void GlEditObject::try_programs(const ObjectViewOptions& moving) {
-    if (!trial_) trial_.emplace(*gl_, PictureSize{8, 8}, GL_RGBA8);
-    const PictureSize size{8, 8};
-    const Camera camera = camera_of(moving.camera, surface_->sphere, size);
-    trial_->colors.bind();
-    if (scene_->has_coarse())
-        scene_->draw_coarse(camera, size, {0, 0, 8, 8}, shading_of(moving));
-    else
-        scene_->draw_encoded(camera, size, {0, 0, 8, 8}, shading_of(moving));
-    gl_->Disable(GL_DEPTH_TEST);
 }
 
 const GlTexture* GlEditObject::draw(const ObjectViewOptions& options) {

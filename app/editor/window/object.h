@@ -59,6 +59,20 @@ struct ObjectViewOptions {
     bool operator==(const ObjectViewOptions&) const = default;
 };
 
+/// How a view is shaded.
+inline GlShading shading_of(const ObjectViewOptions& options) {
+    return {options.lit, options.light.get(), 1.0f, options.lit && options.light};
+}
+
+/// One of so many parts of a view: bands of rows, or shares of the triangles.
+struct ViewPart {
+    int number = 0, count = 1;
+    bool rows = false;
+
+    DrawPart triangles() const { return rows ? DrawPart() : DrawPart{number, count}; }
+    bool is_last() const { return number + 1 == count; }
+};
+
 /// Renders the object; the OpenGL context must be current in every call.
 class GlEditObject {
   public:
@@ -91,11 +105,14 @@ class GlEditObject {
     /// Makes ready what draw() needs for `moving` options of the view that it has drawn last, so
     /// that the first frame of a movement is no longer than the others; a part a call.
     void prepare(const ObjectViewOptions& moving);
+    /// Whether prepare() is not done yet: it must be called again.
+    bool preparing() const;
     /// Whether the last draw() is not done yet: it must be called again.
     bool drawing() const { return part_ > 0; }
     /// The target that the last draw() rendered into; null: none.
     const GlTarget* target() const { return image_ ? &image_->colors : nullptr; }
-    /// Whether a texture that changes alone is drawn from a G-buffer: no triangle is drawn then.
+    /// Whether a texture that changes alone is drawn from a G-buffer, so that no triangle is: in an
+    /// environment's light only after prepare(), since finding it takes long.
     bool keeps_places(const ObjectViewOptions& options) const;
     /// Whether the last draw() rendered anew.
     bool drew() const { return drew_; }
@@ -116,17 +133,18 @@ class GlEditObject {
     GlDepthTarget& target_of(const ObjectViewOptions& options);
     void draw_view(const ObjectViewOptions& options);
     bool draw_places(const ObjectViewOptions& options);
-    void find_places(const ObjectViewOptions& options, const DrawPart& part);
+    void find_places(const ObjectViewOptions& options, const ViewPart& part);
     void draw_pixels(const ObjectViewOptions& options);
     void draw_samples(const ObjectViewOptions& options);
     void draw_layers(const ObjectViewOptions& options);
+    void keep_to(const ViewPart& part, const PictureSize& samples) const;
     void draw_lines(const ObjectViewOptions& options);
     void draw_coarse(const ObjectViewOptions& options);
     void encode(const ObjectViewOptions& options);
     bool is_direct(const ObjectViewOptions& options) const;
     bool is_coarse(const ObjectViewOptions& options) const;
-    DrawPart part_of(const ObjectViewOptions& options, int number) const;
-    int row_parts(const ObjectViewOptions& options) const;
+    ViewPart part_of(const ObjectViewOptions& options, int number) const;
+    bool holds_places(const ObjectViewOptions& options) const;
     void try_programs(const ObjectViewOptions& moving);
 
     const GladGLContext* gl_;

@@ -162,7 +162,9 @@ void ObjectViewport::draw(const ImVec2& low, const ImVec2& size, bool rough, Fra
 /// Makes the first frame of a slider that moves ready, while nothing does.
 void ObjectViewport::prepare(const PictureSize& size) {
     if (object_.drew()) return;
-    object_.prepare(options(size, true));
+    ObjectViewOptions moving = options(size, true);
+    moving.half = false;
+    object_.prepare(moving);
 }
 
 bool ObjectViewport::window(EditItems& items, bool opening, FrameTimes& times) {
@@ -187,7 +189,7 @@ bool ObjectViewport::window(EditItems& items, bool opening, FrameTimes& times) {
                     moving_camera_ || session_.moving() || is_rough(opening) || rests;
                 // The first picture of all waits for its light, which takes half a second.
                 if (!lit || !light.begins()) draw(low, size, rough, times);
-                rests |= object_.drawing();
+                rests |= object_.drawing() || object_.preparing();
             });
             if (const EditPicture* picture = object_.picture())
                 coarse_sign(items, low, size, picture->level);

@@ -239,24 +239,23 @@ Vec4f GlScene::background_codes() {
     return Vec4f(background_srgb.r, background_srgb.g, background_srgb.b, 255.0f) / 255.0f;
 }
 
-bool GlScene::has_places() const {
+bool GlScene::has_places(bool in_environment) const {
     const auto shows = [&](const GlSurface& surface) {
         const SceneMaterial& material = surface.material();
+        const bool linear = material.metallic == 0.0f && material.maps == no_material_maps;
         return material.texture >= 0 && material.texture == surfaces_.front().material().texture &&
                material.normals < 0 && material.factor == Vec4f(1.0f) &&
                material.alpha == SceneAlpha::opaque && has_levels(surface) &&
-               !surface.in_blocks() && !surface.colored();
+               !surface.in_blocks() && !surface.colored() && (linear || !in_environment);
     };
     return !surfaces_.empty() && std::ranges::all_of(surfaces_, shows);
 }
 
 void GlScene::draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                          bool lit, const DrawPart& part) const {
-    if (part.number == 0) clear(tile, Vec4f(0.0f));
+                          const GlShading& shading, const DrawPart& part) const {
     gl_.Viewport(0, 0, tile.width, tile.height);
     gl_.Enable(GL_DEPTH_TEST);
-    draw_surfaces(TileView(camera, samples, tile), {.places = true}, {.lit = lit}, Drawn::all,
-                  part);
+    draw_surfaces(TileView(camera, samples, tile), {.places = true}, shading, Drawn::all, part);
 }
 
 bool GlScene::has_levels(const GlSurface& surface) const {

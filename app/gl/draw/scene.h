@@ -91,12 +91,14 @@ class GlScene {
     /// The background colour in sRGB codes of 0..1.
     static Vec4f background_codes();
     /// Whether draw_places() applies: all surfaces show the same texture with MIP levels, without
-    /// normal map, colour factor, vertex colours or blocks.
-    bool has_places() const;
-    /// Draws a tile of lookups of the surfaces' one texture: u, v, level and light of every sample.
-    /// The first part clears the tile.
+    /// normal map, colour factor, vertex colours or blocks; in an environment's light
+    /// also without other pictures and metal, so that light is linear in the base colour.
+    bool has_places(bool in_environment = false) const;
+    /// Draws a tile of lookups of the surfaces' one texture, over what it shows: u, v, level and
+    /// light of every sample; in an environment's light that of a black surface, and what a white
+    /// one sends besides, into two more targets.
     void draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                     bool lit, const DrawPart& part = {}) const;
+                     const GlShading& shading, const DrawPart& part = {}) const;
 
     /// Draws a tile of lookups of texture `number` (LookupSample, app/gl/draw/view_texels.h), whose
     /// side is `size` texels whatever was uploaded.
