@@ -40,12 +40,22 @@ double least_seconds(const Work& work) {
 
 SynthesisSeconds measure_synthesis(TextureSynthesizer& synthesizer, const Recipe& recipe,
                                    std::uint32_t side) {
-    const SolidAtlas solid = square(side);
     Image<Rgb8> image(side, side);
+    const SynthesisSeconds seconds = measure_synthesis(
+        recipe, [&](const SolidAtlas& solid) { synthesizer.synthesize(solid, recipe, 0, &image); },
+        side);
+    synthesizer.forget_atlas();
+    return seconds;
+}
+
+SynthesisSeconds measure_synthesis(const Recipe& recipe,
+                                   const std::function<void(const SolidAtlas&)>& other,
+                                   std::uint32_t side) {
+    const SolidAtlas solid = square(side);
+    Image<Rgb8> image;
     SynthesisSeconds seconds;
     seconds.host = least_seconds([&] { image = fill_texture<Rgb8>(solid, recipe, HostWay{}); });
-    seconds.other = least_seconds([&] { synthesizer.synthesize(solid, recipe, 0, &image); });
-    synthesizer.forget_atlas();
+    seconds.other = least_seconds([&] { other(solid); });
     return seconds;
 }
 

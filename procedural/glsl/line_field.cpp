@@ -170,8 +170,10 @@ real field_and_slopes(ivec2 texel, out vec2 slopes) {{
     if (!texel_line(texel, line)) return q;
 {}    real f = field_of(q{}, line.owner);
     real4 at = real4(0.0);
-    for (int i = 0; i < 4; ++i)
-        at[i] = field_on(corner_line(line, real(i < 2 ? -0.5 : 0.5)), line.column + real(i & 1));
+    for (int i = 0; i < 4; ++i) {{
+        real corner = field_on(corner_line(line, real(i < 2 ? -0.5 : 0.5)), line.column + real(i & 1));
+        at = mix(at, real4(corner), equal(ivec4(i), ivec4(0, 1, 2, 3)));
+    }}
     exact real more = (at.x - f) + (at.y - f) + (at.z - f) + (at.w - f);
     exact real mean = f + (real(0.25) * more) / real(3.0);
     exact real u = real(0.5) * ((at.y - at.x) + (at.w - at.z)), v = real(0.5) * ((at.z - at.x) + (at.w - at.y));

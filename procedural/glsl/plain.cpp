@@ -63,7 +63,8 @@ struct Replacement {
     std::string_view name, by;
 };
 constexpr std::array replacements{Replacement{"real", "float"}, Replacement{"real2", "vec2"},
-                                  Replacement{"real3", "vec3"}, Replacement{"real4", "vec4"}};
+                                  Replacement{"real3", "vec3"}, Replacement{"real4", "vec4"},
+                                  Replacement{"nearest_root", "sqrt"}};
 
 /// The length of a number in parentheses, such as "(0.5)", at the start of the text; 0 if there is
 /// none.

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace burl {
 
 namespace {
@@ -260,6 +262,12 @@ std::size_t count_passes(std::span<const Pass> passes) {
 
 std::size_t passes_of_octave(const MultipassOptions& options, const MultipassOctave& octave) {
     return count_passes(plan_multipass(options, {&octave, 1}, 0.0, Wrap::repeat).passes) - 1;
+}
+
+std::string words_of(const Pass& pass) {
+    std::string words = fmt::format("{}: {}", to_string(pass.kind), to_string(pass.target));
+    std::ranges::replace(words, '_', ' ');
+    return words;
 }
 
 bool holds_integers(PassImage image, PassPrecision precision) {

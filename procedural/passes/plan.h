@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "atlas/base/enum_names.h"
 #include "procedural/color/map.h"
 #include "procedural/field/octave_groups.h"
 #include "procedural/passes/tables.h"
@@ -105,6 +106,19 @@ enum class PassKind {
     field_index   ///< the colour map's index of quadric + constant + x
 };
 
+template <>
+inline constexpr auto enum_names<PassImage> = enum_words("none", "solid", "integers", "integers_up",
+                                                         "shifted", "shifted_up", "weights", "ramp",
+                                                         "cell", "part_s", "part_t", "part_r",
+                                                         "mixed", "corner", "noise", "sum",
+                                                         "index");
+template <>
+inline constexpr auto enum_names<PassKind> = enum_words("fill", "cells", "places", "solid_map",
+                                                        "step", "copy", "transfer", "combine",
+                                                        "multiply", "isolate", "shift_left",
+                                                        "blend_bit", "hash", "axis_table",
+                                                        "value_table", "weigh", "field_index");
+
 /// A pass over an image; each kind reads some of the members.
 struct Pass {
     PassKind kind = PassKind::fill;
@@ -148,6 +162,9 @@ MultipassPlan plan_multipass(const MultipassOptions& options,
 std::size_t count_passes(std::span<const Pass> passes);
 /// The number of passes of one octave, including that which adds it to the others.
 std::size_t passes_of_octave(const MultipassOptions& options, const MultipassOctave& octave);
+
+/// A pass in words, such as "weigh: corner": what it does and the image that it makes.
+std::string words_of(const Pass& pass);
 
 /// Whether the image is RGBA32UI.
 bool holds_integers(PassImage image, PassPrecision precision);

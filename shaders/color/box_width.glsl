@@ -3,6 +3,6 @@
 // numbers/real.glsl.
 real box_width(real wide, real narrow) {
     exact real ratio = narrow / wide;
-    exact real box = wide * sqrt(real(1.0) + ratio * ratio);
+    exact real box = wide * nearest_root(real(1.0) + ratio * ratio);
     return wide > real(0.0) ? box : real(0.0);
 }

@@ -221,7 +221,7 @@ real visible_octaves(real4 x, real4 y, real4 z, real3 step_u, real3 step_v, real
                      real octaves) {
     real3 u = real3(dot_of(x.yzw, step_u), dot_of(y.yzw, step_u), dot_of(z.yzw, step_u)),
           v = real3(dot_of(x.yzw, step_v), dot_of(y.yzw, step_v), dot_of(z.yzw, step_v));
-    real moved = max(sqrt(dot_of(u, u)), sqrt(dot_of(v, v)));
+    real moved = max(nearest_root(dot_of(u, u)), nearest_root(dot_of(v, v)));
     if (!(moved > real(0.0)) || !(grows > real(0.0))) return octaves;
     exact real visible = (real(-1.0) - binary_log(moved)) / grows;
     return min(max(visible, real(0.0)), octaves);

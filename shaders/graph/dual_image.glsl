@@ -66,8 +66,8 @@ ImageSample ellipse_sample(sampler2D image, int level, real s, real t, real2 fir
     b = b * scale;
     c = c * scale;
     exact real determinant = real(4.0) * a * c - b * b;
-    exact real reach_x = real(2.0) * sqrt(c / determinant),
-               reach_y = real(2.0) * sqrt(a / determinant);
+    exact real reach_x = real(2.0) * nearest_root(c / determinant),
+               reach_y = real(2.0) * nearest_root(a / determinant);
     exact real3 color = real3(0.0), by_s = real3(0.0), by_t = real3(0.0);
     exact real weights = real(0.0), weights_by_x = real(0.0), weights_by_y = real(0.0);
     real end = binary_power(gaussian_falloff);
@@ -98,7 +98,7 @@ ImageSample ewa_sample(sampler2D image, int levels, real s, real t, real2 first,
     exact real square1 = first.x * first.x + first.y * first.y,
                square2 = second.x * second.x + second.y * second.y;
     real2 wide = square1 < square2 ? second : first, narrow = square1 < square2 ? first : second;
-    real longer = sqrt(max(square1, square2)), shorter = sqrt(min(square1, square2));
+    real longer = nearest_root(max(square1, square2)), shorter = nearest_root(min(square1, square2));
     if (!(longer < farthest_image)) return first_texel(image, levels - 1, wrap);
     if (shorter * anisotropy < longer && shorter > real(0.0)) {
         exact real2 widened = narrow * (longer / (shorter * anisotropy));

@@ -59,7 +59,7 @@ PieceWidths widths_of(real along_u, real along_v) {
 // The side of the box of the same variance, as widths of one axis.
 PieceWidths box_of(PieceWidths widths) {
     exact real ratio = widths.narrow / widths.wide;
-    exact real box = widths.wide * sqrt(real(1.0) + ratio * ratio);
+    exact real box = widths.wide * nearest_root(real(1.0) + ratio * ratio);
     return PieceWidths(widths.wide > real(0.0) ? box : real(0.0), real(0.0));
 }
 
@@ -101,8 +101,10 @@ real3 sum_over_breaks(PieceMap map, real t, PieceWidths w) {
             if (period == first && position <= beyond) continue;
             exact real away = t - (position + period);
             real2 step = smoothed_break(away, w);
-            sum = sum + (step.x * break_jumps[map.first_break + k] +
-                         step.y * break_kinks[map.first_break + k]);
+            exact real3 jump = step.x * break_jumps[map.first_break + k],
+                        kink = step.y * break_kinks[map.first_break + k];
+            exact real3 both = jump + kink;
+            sum = sum + both;
         }
     return sum;
 }

@@ -25,7 +25,7 @@ real octave_share(int axes, real4 p[8], real3 step_u, real3 step_v, real finenes
         u = u + along_u * along_u;
         v = v + along_v * along_v;
     }
-    exact real moved = fineness * max(sqrt(u), sqrt(v));
+    exact real moved = fineness * max(nearest_root(u), nearest_root(v));
     if (!(moved > real(0.0))) return real(1.0);
     exact real kept = real(-1.0) - binary_log(moved);
     exact real away = (kept - real(3.0) / real(10.0)) * real(2.5);

@@ -23,7 +23,7 @@ real ratio(real a, real b) {
 
 real length_of(real x, real y) {
     exact real squares = x * x + y * y;
-    return sqrt(squares);
+    return nearest_root(squares);
 }
 
 real blend(real weight, real a, real b) {
@@ -85,7 +85,7 @@ DotDisk dot_disk(real x, real y, uint seed, uvec2 period, real radius) {
 real dot_weight(real x, real y, uint seed, uvec2 period, real radius) {
     DotDisk disk = dot_disk(x, y, seed, period, radius);
     exact real squares = disk.dx * disk.dx + disk.dy * disk.dy;
-    exact real inside = radius - sqrt(squares);
+    exact real inside = radius - nearest_root(squares);
     return disk.there && inside >= real(0.0) ? real(1.0) : real(0.0);
 }
 

@@ -96,7 +96,7 @@ CellSearch nearest_cell(real3 p, uint seed, real jitter) {
 
 // The distance to the nearest bisector plane, with its gradient.
 real4 cell_edge(CellSearch search) {
-    real near = sqrt(search.square);
+    real near = nearest_root(search.square);
     real4 nearest = real4(2.0, real3(0.0));
     for (int reach = 0; reach <= 4; ++reach) {
         exact real farthest = near + real(2.0) * nearest.x;
@@ -108,7 +108,7 @@ real4 cell_edge(CellSearch search) {
             if (square_to_cell(search.place, steps) >= square) continue;
             real3 way = way_from(search, steps);
             exact real3 across = way - search.way, twice = way + search.way;
-            real apart = sqrt(square_of(across));
+            real apart = nearest_root(square_of(across));
             exact real away =
                 (across.x * twice.x + across.y * twice.y + across.z * twice.z) / (real(2.0) * apart);
             exact real3 slope = across / apart;
@@ -126,7 +126,7 @@ real4 cell_feature(real3 p, uint seed, real jitter, int gives) {
     if (gives == 2)
         return real4(hash_number(lattice_bits(search.cell + uvec3(search.steps), seed), 3u),
                      real3(0.0));
-    real away = sqrt(search.square);
+    real away = nearest_root(search.square);
     exact real3 slope = search.way / away;
     return real4(away, search.square > real(0.0) ? slope : real3(0.0));
 }

@@ -30,8 +30,7 @@ void map_stream(SpanLine line) {
     bvec3 inside = lessThan(reach, dvec3(coordinate_limit));
     bool hard = !(all(inside) && all(lessThan(extent, dvec3(fixed_reach))));
     if (hard) {
-        for (int axis = 0; axis < 3; ++axis)
-            if (!inside[axis]) start[axis] = step[axis] = 0.0lf;
+        start = mix(dvec3(0.0lf), start, inside), step = mix(dvec3(0.0lf), step, inside);
         cells = uvec4(0u, 0u, 0u, 1u);
     } else {
         if (period > 0.0lf) {

@@ -44,13 +44,16 @@ void main() {
 #endif
             ivec2 old = 2 * p + ivec2(i, j);
             vec4 color = texelFetch(before, old, 0);
-            color_sum += weight * real3(color.rgb);
+            exact real3 weighted = weight * real3(color.rgb);
+            color_sum += weighted;
 #if GUTTERS
-            surface_sum += weight * real4(surface_of(old, color));
+            exact real4 weighted_surface = weight * real4(surface_of(old, color));
+            surface_sum += weighted_surface;
 #endif
         }
     }
     mean = vec4(vec3(color_sum), 1.0);
     surface = vec4(surface_sum);
-    level = gutters_count || surface.a <= 0.0 ? mean : vec4(surface.rgb / surface.a, 1.0);
+    // A float64 quotient rounds to the float32 one, which OpenGL alone need not round rightly.
+    level = gutters_count || surface.a <= 0.0 ? mean : vec4(vec3(real3(surface.rgb) / real(surface.a)), 1.0);
 }

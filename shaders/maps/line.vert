@@ -15,8 +15,8 @@ void main() {
     precise dvec3 start = along(line_linear, line.start) + line_offset, step = along(line_linear, line.step);
     if (line_limit > 0.0lf) {
         precise dvec3 reach = abs(start) + double(span.y) * abs(step);
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(reach[axis] < line_limit)) start[axis] = step[axis] = 0.0lf;
+        bvec3 inside = lessThan(reach, dvec3(line_limit));
+        start = mix(dvec3(0.0lf), start, inside), step = mix(dvec3(0.0lf), step, inside);
     }
     x_line = halves(start.x, step.x), y_line = halves(start.y, step.y), z_line = halves(start.z, step.z);
     place_span();

@@ -25,10 +25,10 @@ real3 lattice_side(real3 side) {
 // row that reaches it.
 TexelLine in_lattice(TexelLine line) {
     exact real3 reach = abs(line.start) + line.count * abs(line.step);
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(reach[axis] < lattice_limit)) line.start[axis] = line.step[axis] = real(0.0);
-        if (!(abs(line.down[axis]) < lattice_limit)) line.down[axis] = real(0.0);
-    }
+    bvec3 inside = lessThan(reach, real3(lattice_limit));
+    line.start = mix(real3(0.0), line.start, inside);
+    line.step = mix(real3(0.0), line.step, inside);
+    line.down = mix(real3(0.0), line.down, lessThan(abs(line.down), real3(lattice_limit)));
     return line;
 }
 
@@ -94,6 +94,24 @@ uvec2 split(double x, double period) {
     exact double shifted_place = place + 4503599627370496.0lf;
     return uvec2(low_bits(wrapped) + (place >= 4294967296.0lf ? 1u : 0u), unpackDouble2x32(shifted_place).x);
 }
+
+// Cell and place at start + x step along one axis; `near` where the coordinate stays within its
+// limit, `hard` where the line is out of reach of fixed point. (By axis, since NVIDIA's compiler
+// links no write to a vector's component by a variable.)
+uvec2 site_on_axis(double start, double step, double x, double period, bool near, bool hard) {
+    exact double at = near ? start + x * step : 0.0lf;
+    if (hard) return split(at, period);
+    if (period > 0.0lf) {
+        exact double periods = (start * (1.0lf / period) + 6755399441055744.0lf) - 6755399441055744.0lf;
+        exact double wrapped = start - periods * period;
+        start = wrapped;
+    }
+    exact double shifted = start + 6755399441055744.0lf;                           // 1.5 2^52
+    exact double from = (start - (shifted - 6755399441055744.0lf)) + 1572864.0lf;  // 1.5 2^20
+    exact double fixed_point_sum = from + x * step;
+    uvec2 bits = unpackDouble2x32(fixed_point_sum);
+    return uvec2(unpackDouble2x32(shifted).x + bits.y - 0x41380000u, bits.x);
+}
 #endif
 
 // The site of texel x of a line that is `count` texels long and mapped to a lattice, as fill_stream
@@ -104,24 +122,10 @@ StreamSite stream_site(TexelLine line, real x, real2 limits) {
     exact dvec3 extent = line.count * abs(line.step), reach = abs(line.start) + extent;
     bvec3 near = lessThan(reach, dvec3(limits.x));
     bool hard = !(all(near) && all(lessThan(extent, dvec3(262144.0lf))));  // 2^18
-    uvec3 cell, place;
-    for (int axis = 0; axis < 3; ++axis) {
-        double start = line.start[axis];
-        exact double at = near[axis] ? start + x * line.step[axis] : 0.0lf;
-        uvec2 far = split(at, limits.y);
-        if (limits.y > 0.0lf) {
-            exact double periods = (start * (1.0lf / limits.y) + 6755399441055744.0lf) - 6755399441055744.0lf;
-            exact double wrapped = start - periods * limits.y;
-            start = wrapped;
-        }
-        exact double shifted = start + 6755399441055744.0lf;                           // 1.5 2^52
-        exact double from = (start - (shifted - 6755399441055744.0lf)) + 1572864.0lf;  // 1.5 2^20
-        exact double fixed_point_sum = from + x * line.step[axis];
-        uvec2 bits = unpackDouble2x32(fixed_point_sum);
-        cell[axis] = hard ? far.x : unpackDouble2x32(shifted).x + bits.y - 0x41380000u;
-        place[axis] = hard ? far.y : bits.x;
-    }
-    return StreamSite(cell, place);
+    uvec2 on_x = site_on_axis(line.start.x, line.step.x, x, limits.y, near.x, hard),
+          on_y = site_on_axis(line.start.y, line.step.y, x, limits.y, near.y, hard),
+          on_z = site_on_axis(line.start.z, line.step.z, x, limits.y, near.z, hard);
+    return StreamSite(uvec3(on_x.x, on_y.x, on_z.x), uvec3(on_x.y, on_y.y, on_z.y));
 #else
     vec3 at = line.start + x * line.step;
     uvec2 on_x = fixed_point(at.x), on_y = fixed_point(at.y), on_z = fixed_point(at.z);

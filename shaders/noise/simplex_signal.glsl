@@ -130,16 +130,19 @@ void add_signal(SimplexNoise noise, uint bits, float d[8], inout SimplexSample s
     float g[8] = simplex_direction(axes, noise.lattice.unit, bits);
     exact float t = 0.5, along = 0.0;
     for (int i = 0; i < axes; ++i) {
-        t = t - d[i] * d[i];
-        along = along + g[i] * d[i];
+        exact float square = d[i] * d[i], product = g[i] * d[i];
+        t = t - square;
+        along = along + product;
     }
     if (t < 0.0) return;
     vec2 s = simplex_signal(noise, bits, along);
     exact float t3 = t * t * t, t4 = t * t3;
-    exact float value = sum.value + t4 * s.x;
+    exact float share = t4 * s.x;
+    exact float value = sum.value + share;
     sum.value = value;
     for (int i = 0; i < axes; ++i) {
-        exact float slope = sum.slope[i] + (t4 * s.y * g[i] - 8.0 * t3 * s.x * d[i]);
+        exact float rise = t4 * s.y * g[i], fall = 8.0 * t3 * s.x * d[i];
+        exact float slope = sum.slope[i] + (rise - fall);
         sum.slope[i] = slope;
     }
 }
@@ -165,7 +168,8 @@ real simplex_octaves(SimplexNoise noise, OctaveLadder ladder, real p[8]) {
             exact real scaled = frequency * p[i];
             q[i] = scaled;
         }
-        total = total + weight * real(simplex_sample(noise, ladder.seed + uint(k), q).value);
+        exact real octave = weight * real(simplex_sample(noise, ladder.seed + uint(k), q).value);
+        total = total + octave;
         frequency = frequency * ladder.lacunarity;
         weight = weight * ladder.gain;
     }

@@ -104,12 +104,12 @@ NearestFeatures nearest_features(uint seed, uvec4 cell, vec4 place, uvec4 period
 }
 
 float worley_f1(NearestFeatures nearest) {
-    return sqrt(nearest.square1);
+    return nearest_root(nearest.square1);
 }
 float worley_f2(NearestFeatures nearest) {
-    return sqrt(nearest.square2);
+    return nearest_root(nearest.square2);
 }
 float worley_f2_f1(NearestFeatures nearest) {
-    exact float difference = sqrt(nearest.square2) - sqrt(nearest.square1);
+    exact float difference = nearest_root(nearest.square2) - nearest_root(nearest.square1);
     return difference;
 }

@@ -2,8 +2,8 @@
 // noise/worley.glsl and noise/gradient.glsl.
 
 vec4 worley_distance(float square, vec4 way) {
-    float far = sqrt(square);
-    exact vec3 gradient = way.xyz / far;
+    float far = nearest_root(square);
+    exact vec3 gradient = vec3(real3(way.xyz) / real(far));  // rounded to the nearest, by float64
     return vec4(far, square > 0.0 ? gradient : vec3(0.0));
 }
 vec4 worley_f1_sample(NearestFeatures nearest) {

@@ -35,3 +35,24 @@
 #else
 #define exact
 #endif
+
+// The square root, rounded to the nearest number where reals are float64: OpenGL's own need not be,
+// so a step of Newton's follows, whose remainder is exact, since products of a root's halves are.
+#if REAL_IS_DOUBLE
+double nearest_root(double x) {
+    double root = sqrt(x);
+    double high = packDouble2x32(uvec2(unpackDouble2x32(root).x & 0xf8000000u, unpackDouble2x32(root).y));
+    precise double low = root - high;
+    precise double rest = ((x - high * high) - 2.0lf * (high * low)) - low * low;
+    precise double nearer = root + rest / (2.0lf * root);
+    return root > 0.0lf && root < 1e150lf ? nearer : root;
+}
+
+float nearest_root(float x) {
+    return float(nearest_root(double(x)));
+}
+#else
+float nearest_root(float x) {
+    return sqrt(x);
+}
+#endif

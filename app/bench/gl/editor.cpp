@@ -1,10 +1,9 @@
-// The suite `burl bench editor`: a slider or colour stop is dragged in real time, and latency and
-// frame times are measured.
+// The suite `burl bench editor`: a slider or colour stop is dragged in real time, under the
+// headlight and under an environment, and latency and frame times are measured.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <memory>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
+#include "app/bench/gl/editor_frames.h"
 #include "app/bench/gl/editor_window.h"
 #include "app/editor/window/program.h"
 
@@ -23,7 +23,8 @@ namespace {
 
 /// The results of one drag.
 struct EditorBench {
-    std::string what{};      ///< widget that was dragged
+    std::string what{};  ///< widget that was dragged
+    std::string light{};
     std::uint32_t side = 0;  ///< side of the texture in texels
     double seconds = 0.0;    ///< duration of the drag
     std::size_t events = 0, frames = 0, textures = 0;
@@ -40,10 +41,6 @@ struct EditorBench {
     double processor = 0.0;   ///< processor time of all threads per texture shown, in milliseconds
     double idle_share = 0.0;  ///< processor time per time while nothing happens
 };
-
-double processor_seconds() {
-    return double(std::clock()) / CLOCKS_PER_SEC;
-}
 
 InputEvent pointer(const glm::dvec2& at) {
     return {InputKind::move, at};
@@ -202,8 +199,9 @@ double share_of_finest(const EditorBench& row) {
 /// Drags sliders and a colour stop of marble on the teapot for four seconds each, with 60 events a
 /// second, in an offscreen window drawn by OSMesa: all in software, on the machine's own threads.
 /// Throws Error as EditorProgram does.
-std::vector<EditorBench> bench_editor(std::uint32_t side) {
+std::vector<EditorBench> bench_editor(std::uint32_t side, const std::string& light) {
     EditorOptions options;
+    options.light = light;
     options.mesh = "sample:teapot";
     options.settings = {fmt::format("atlas.size={}", side)};
     auto owned = std::make_unique<BenchWindow>(create_osmesa_context(), glm::ivec2(1280, 800));
@@ -218,6 +216,7 @@ std::vector<EditorBench> bench_editor(std::uint32_t side) {
                     "");
         EditorBench bench;
         bench.what = subject.item;
+        bench.light = light;
         bench.side = side;
         Drag(editor, window, subject, bench).run(4.0);
         bench.idle_share = idle_share(editor, window);
@@ -228,6 +227,7 @@ std::vector<EditorBench> bench_editor(std::uint32_t side) {
 
 Json drag_json(const EditorBench& bench) {
     return {{"dragged", bench.what},
+            {"light", bench.light},
             {"side", bench.side},
             {"events", bench.events},
             {"frames_per_second", double(bench.frames) / bench.seconds},
@@ -258,12 +258,12 @@ void print_drags(const std::vector<EditorBench>& rows) {
                                 std::array{"processor", "ms/texture"},
                                 std::array{"idle", "%"}};
     for (const std::size_t line : {0, 1}) {
-        fmt::print("{:<34}", line == 0 ? "dragged" : "");
+        fmt::print("{:<34}{:<10}", line == 0 ? "dragged" : "", line == 0 ? "light" : "");
         for (const auto& title : titles) fmt::print(" {:>10}", title[line]);
         fmt::print("\n");
     }
     for (const EditorBench& row : rows) {
-        fmt::print("{:<34}", row.what);
+        fmt::print("{:<34}{:<10}", row.what, row.light);
         for (const double figure :
              {double(row.textures) / row.seconds, 100.0 * share_of_finest(row),
               double(row.frames) / row.seconds, double(row.dropped_frames), row.latency.median,
@@ -277,8 +277,17 @@ void print_drags(const std::vector<EditorBench>& rows) {
 }  // namespace
 
 void run_editor_bench(const BenchCommand& command) {
-    const std::vector<EditorBench> rows = bench_editor(std::uint32_t(command.size_or(1024)));
-    if (report_rows(command, rows, drag_json)) print_drags(rows);
+    const auto side = std::uint32_t(command.size_or(1024));
+    std::vector<EditorBench> drags = bench_editor(side, "headlight");
+    for (EditorBench& row : bench_editor(side, "studio")) drags.push_back(std::move(row));
+    const std::vector<FramesBench> frames = bench_frames(side);
+    Json rows = Json::array();
+    for (const EditorBench& row : drags) rows.push_back(drag_json(row));
+    for (const FramesBench& row : frames) rows.push_back(frames_json(row));
+    write_report(command, rows);
+    if (command.json) return;
+    print_drags(drags);
+    print_frames(frames);
 }
 
 }  // namespace burl

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <thread>
 #include <utility>
 
@@ -21,6 +22,10 @@ Durations durations_of(std::vector<double> milliseconds) {
 
 Json durations_json(const Durations& durations) {
     return {{"median", durations.median}, {"p95", durations.p95}, {"longest", durations.longest}};
+}
+
+double processor_seconds() {
+    return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
 BenchWindow::BenchWindow(std::unique_ptr<GlContext> context, const glm::ivec2& size)
@@ -54,7 +59,7 @@ std::vector<InputEvent> BenchWindow::poll(double seconds) {
     {
         std::unique_lock lock(mutex_);
         changed_.wait_until(lock, time_at(until), [&] { return woken_; });
-        woken_ = false;
+        news_ |= std::exchange(woken_, false);
     }
     began_ = this->seconds();
     if (!hand_ || began_ < next_events_) return {};

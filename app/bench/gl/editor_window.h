@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/base/json_text.h"
@@ -21,6 +22,9 @@ struct Durations {
 /// Computes the percentiles; 0 where there are no durations.
 Durations durations_of(std::vector<double> milliseconds);
 Json durations_json(const Durations& durations);
+
+/// The processor time of all threads so far, in seconds.
+double processor_seconds();
 
 /// A window for benchmarks. All functions except wake() are called by one thread.
 class BenchWindow final : public GlWindow {
@@ -45,6 +49,7 @@ class BenchWindow final : public GlWindow {
     void present() override;
     std::vector<InputEvent> poll(double seconds) override;
     void wake() override;
+    bool take_news() override { return std::exchange(news_, false); }
     void resize(const glm::ivec2& size) override { window_->resize(size); }
     void set_title(const std::string&) override {}
     std::string clipboard() const override { return {}; }
@@ -64,6 +69,7 @@ class BenchWindow final : public GlWindow {
     std::mutex mutex_;
     std::condition_variable changed_;
     bool woken_ = false;
+    bool news_ = false;  ///< whether poll() found woken_ set; of the thread that draws
 };
 
 }  // namespace burl

@@ -18,7 +18,7 @@ namespace {
 
 struct Command {
     burl::EditorOptions editor;
-    std::string script, screenshots, record;
+    std::string script, screenshots, record, synthesis = "auto", gl = "osmesa";
     bool unseen = false, exit = false;
 };
 
@@ -35,7 +35,7 @@ void run(Command command) {
         script = parse_script(std::string(bytes.begin(), bytes.end()), command.script);
     }
     if (!command.screenshots.empty()) make_folder(command.screenshots);
-    auto window = command.unseen ? create_unseen_window(create_osmesa_context(), script.size)
+    auto window = command.unseen ? create_unseen_window(create_gl_context(command.gl), script.size)
                                  : create_desktop_window(script.size, "Burl");
     EditorProgram editor(std::move(window), command.editor);
     if (!command.record.empty()) editor.record();
@@ -51,6 +51,8 @@ int main(int argc, char** argv) {
     Command command;
     command.editor.recipe = "malachite";  // what shows best, in the studio, what there is to edit
     const std::vector<std::string> lights = burl::light_names();
+    const auto& synths = burl::enum_names<burl::EditSynthesis>;
+    const auto platforms = burl::gl_platforms();
     program.set_version_flag("--version", std::string(burl::burl_version()));
     program
         .add_option("mesh", command.editor.mesh,
@@ -65,6 +67,13 @@ int main(int argc, char** argv) {
                     "Light of the object: a built-in environment, or headlight")
         ->check(burl::one_of(lights))
         ->capture_default_str();
+    program
+        .add_option(
+            "--synth", command.synthesis,
+            "Who makes the texture: host, gl, gl-multipass (the papers' passes, to be looked "
+            "at one by one), or auto, which measures a graphics processor against the host")
+        ->check(burl::one_of({synths.begin(), synths.end()}))
+        ->capture_default_str();
     program.add_option("--ui-scale", command.editor.ui_scale, "Size of text and panels")
         ->check(CLI::Range(0.5, 4.0));
     auto* script = program.add_option("--script", command.script, "Input to replay");
@@ -72,7 +81,15 @@ int main(int argc, char** argv) {
         ->needs(script);
     program.add_option("--record", command.record, "Write the input as a script to this file");
     program.add_flag("--exit", command.exit, "Leave at the script's end")->needs(script);
-    program.add_flag("--unseen", command.unseen, "No window: draw with OSMesa")->needs(script);
+    auto* unseen = program.add_flag("--unseen", command.unseen, "No window")->needs(script);
+    program
+        .add_option(
+            "--gl", command.gl,
+            "Where OpenGL comes from without a window: osmesa (software) or egl (a graphics "
+            "processor)")
+        ->check(burl::one_of({platforms.begin(), platforms.end()}))
+        ->capture_default_str()
+        ->needs(unseen);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& asked) {
@@ -83,6 +100,7 @@ int main(int argc, char** argv) {
     }
     if (command.editor.mesh.ends_with(".json") && program.count("--recipe") == 0)
         command.editor.recipe = std::exchange(command.editor.mesh, burl::EditorOptions{}.mesh);
+    command.editor.synthesis = *burl::enum_named<burl::EditSynthesis>(command.synthesis);
     try {
         run(command);
     } catch (const burl::Error& error) {

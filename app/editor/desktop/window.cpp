@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <map>
 #include <optional>
 #include <utility>
@@ -43,7 +44,11 @@ struct DestroyWindow {
 };
 using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
-WindowHandle open_window(const glm::ivec2& size, const std::string& title) {
+/// Opens a window whose context shares the objects of another's (null: of none); it is seen unless
+/// there is another.
+WindowHandle open_window(const glm::ivec2& size, const std::string& title,
+                         GLFWwindow* shared = nullptr) {
+    glfwWindowHint(GLFW_VISIBLE, shared ? GLFW_FALSE : GLFW_TRUE);
     glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
@@ -51,7 +56,7 @@ WindowHandle open_window(const glm::ivec2& size, const std::string& title) {
     for (const auto& [major, minor] : gl_versions) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
-        if (WindowHandle window{glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr)})
+        if (WindowHandle window{glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, shared)})
             return window;
     }
     throw Error(ExitCode::unsupported,
@@ -86,15 +91,26 @@ int glfw_shape(PointerShape shape) {
 
 class DesktopContext final : public GlContext {
   public:
-    explicit DesktopContext(GLFWwindow* window) : window_(window) {
+    /// The context of a window; `owned` is that window where nobody else owns it.
+    explicit DesktopContext(GLFWwindow* window, WindowHandle owned = nullptr)
+        : owned_(std::move(owned)), window_(window) {
         make_current();
         load_functions("the display");
     }
     void make_current() override { glfwMakeContextCurrent(window_); }
+    void release() override { glfwMakeContextCurrent(nullptr); }
+    std::unique_ptr<GlContext> share() override {
+        WindowHandle hidden = open_window({16, 16}, "Burl", window_);
+        GLFWwindow* const window = hidden.get();
+        auto other = std::make_unique<DesktopContext>(window, std::move(hidden));
+        make_current();
+        return other;
+    }
     GlProcedure get_proc(const char* name) override { return glfwGetProcAddress(name); }
     std::string origin() const override { return "GLFW"; }
 
   private:
+    WindowHandle owned_;
     GLFWwindow* window_;
 };
 
@@ -201,7 +217,11 @@ class DesktopWindow final : public GlWindow {
             glfwPollEvents();
         return std::exchange(events_, {});
     }
-    void wake() override { glfwPostEmptyEvent(); }
+    void wake() override {
+        news_ = true;
+        glfwPostEmptyEvent();
+    }
+    bool take_news() override { return news_.exchange(false); }
     double text_scale() const override {
         float scale = 1.0f, unused = 1.0f;
         glfwGetWindowContentScale(window_.get(), &scale, &unused);
@@ -298,6 +318,7 @@ class DesktopWindow final : public GlWindow {
             self(w).add(InputKind::wheel).at = {x, y};
         });
         glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int) {
+            if (action == GLFW_REPEAT) self(w).news_ = true;  // Dear ImGui repeats keys by itself
             std::string name = name_of_key(key, scancode);
             if (name.empty() || action == GLFW_REPEAT) return;
             InputEvent& event = self(w).add(InputKind::key);
@@ -314,6 +335,7 @@ class DesktopWindow final : public GlWindow {
         glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int x, int y) {
             self(w).add(InputKind::resize).at = {x, y};
         });
+        glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { self(w).news_ = true; });
         glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
             glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides, and may ask first
             self(w).add(InputKind::close);
@@ -326,6 +348,7 @@ class DesktopWindow final : public GlWindow {
     DesktopContext context_;
     std::optional<GlTarget> screen_;
     std::vector<InputEvent> events_;
+    std::atomic<bool> news_ = false;  ///< of other threads or of the display
     int held_ = 0;  ///< GLFW's bits of the modifiers whose press was the last that was heard of
 };
 

@@ -99,6 +99,7 @@ bool EditBaker::take_mesh() {
         pose = std::exchange(next_pose_, std::nullopt);
     }
     if (mesh) {
+        synthesizer_.forget_atlas();
         pipeline_ = make_edit_pipeline(std::move(*mesh));
         fresh_ = true;
         ++mesh_;
@@ -124,6 +125,7 @@ void EditBaker::take_pose(std::shared_ptr<const MeshPose> pose) {
 AtlasOptions EditBaker::take_atlas(const AtlasOptions& wanted) {
     std::optional<BackgroundAtlas::Result> own = own_atlas_.take();
     if (own && own->mesh == mesh_ && own->pipeline->recipe().atlas == wanted) {
+        synthesizer_.forget_atlas();
         pipeline_ = std::move(own->pipeline);
         if (own->pose != pose_) {
             own->surface = edit_surface(scene_parts(*pipeline_, edit_crease_degrees), pose_.get());
@@ -212,6 +214,31 @@ void EditBaker::queue_jobs(const Recipe& recipe, bool moving) {
         own_atlas_.begin(pipeline_->mesh(), mesh_, pose_, recipe);
 }
 
+/// Publishes the recipe's pictures as OpenGL makes them; false where the host is to make them.
+bool EditBaker::make_resident(const WorkerRequest& request) {
+    const auto start = std::chrono::steady_clock::now();
+    auto material = std::make_shared<EditMaterial>();
+    material->numbers = scene_material(pipeline_->recipe());
+    auto [plans, numbers] = material_plans(pipeline_->recipe());
+    numbers.insert(numbers.begin(), material->numbers.texture);
+    auto made = synthesizer_.make(*pipeline_, request.synthesis, plans, numbers);
+    if (!made) return false;
+    EditPicture picture;
+    picture.request = request.number;
+    picture.side = std::uint32_t(made->pictures->side);
+    picture.resident = std::move(*made);
+    picture.by = synthesizer_.words();
+    picture.material = std::move(material);
+    picture.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    picture.normals = normals_;
+    finest_.reset();  // the host has no picture of it
+    if (!request.moving && front_.wants_sheet())
+        picture.texels = synthesizer_.read(picture.resident);
+    publish(std::move(picture));
+    return true;
+}
+
 /// Bakes and publishes one level of the pipeline's recipe after another, or level 0 alone where the
 /// surface is a `better` layout of the one shown; false where `stop` was requested first.
 bool EditBaker::bake_levels(const WorkerRequest& request, bool better,
@@ -230,6 +257,8 @@ bool EditBaker::bake_levels(const WorkerRequest& request, bool better,
         EditPicture picture;
         picture.request = request.number;
         picture.level = level;
+        picture.side = std::uint32_t(made.texels->width());
+        picture.by = synthesizer_.words();
         picture.texels = *made.texels;
         picture.levels = make_levels_(*made.texels);
         picture.material = made.material;
@@ -260,11 +289,14 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
     Recipe recipe = request.recipe;
     recipe.atlas = take_atlas(request.recipe.atlas);
     const bool better = front_.coming_has_pick();  // laid out in the background
+    const Recipe& before = pipeline_->recipe();
+    if (before.atlas != recipe.atlas || before.solid.space != recipe.solid.space)
+        synthesizer_.forget_atlas();
     pipeline_->set_recipe(recipe);
     if (better) normals_.reset();
     renew_surface(recipe, posed_ && !better);
     posed_ = false;
-    const bool done = bake_levels(request, better, stop);
+    const bool done = make_resident(request) || bake_levels(request, better, stop);
     if (done && !request.moving && shown_bumps_) publish_normals();
     queue_jobs(request.recipe, request.moving);
     publish_sheet();

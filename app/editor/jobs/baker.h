@@ -37,10 +37,17 @@ class EditBaker {
     bool want_sheet(bool wanted) { return front_.want_sheet(wanted); }
     /// Requests textures of `recipe`; a `moving` slider gets one quick coarse level. Returns the
     /// request's number, from 1 on, which its pictures carry in EditPicture::request.
-    std::uint64_t request(const Recipe& recipe, bool moving) {
-        worker_.request({recipe, moving, ++requests_});
+    std::uint64_t request(const Recipe& recipe, bool moving, const SynthesisWish& synthesis = {}) {
+        worker_.request({recipe, moving, synthesis, ++requests_});
         return requests_;
     }
+    /// Takes a context for OpenGL's synthesis (EditSynthesizer::offer). Pictures that it made must
+    /// not outlive this.
+    void offer(std::unique_ptr<GlContext> context, bool software) {
+        synthesizer_.offer(std::move(context), software);
+    }
+    /// Whether there is such a context.
+    bool has_context() const { return synthesizer_.has_context(); }
 
     /// What was published.
     const FrontBuffer& front() const { return front_; }
@@ -71,6 +78,7 @@ class EditBaker {
         const Image<Rgb8>* texels;  ///< of the pipeline, until it makes that level again
         std::shared_ptr<const EditMaterial> material;
     };
+    bool make_resident(const WorkerRequest& request);
     std::optional<MadeLevel> make_level(std::uint32_t level, const std::stop_token& stop);
     bool bake_levels(const WorkerRequest& request, bool better, const std::stop_token& stop);
     void publish(EditPicture picture);
@@ -78,6 +86,8 @@ class EditBaker {
     void publish_sheet();
     void queue_jobs(const Recipe& recipe, bool moving);
     void report(std::string problem);
+
+    EditSynthesizer synthesizer_;  ///< outlives the pictures, which its context made
 
     // wake_ and budget_ are constant; requests_ belongs to the thread that calls request().
     std::function<void()> wake_;

@@ -11,6 +11,7 @@
 
 #include "app/editor/jobs/levels.h"
 #include "app/editor/jobs/surface.h"
+#include "app/editor/jobs/synthesis.h"
 #include "app/measure/atlas_sheet.h"
 #include "app/pipeline/stage_records.h"
 #include "app/scene/material.h"
@@ -29,9 +30,14 @@ struct EditMaterial {
 struct EditPicture {
     std::uint64_t number = 0, surface = 0, request = 0;
     std::uint32_t level = 0;  ///< MIP level; 0 is the finest
+    std::uint32_t side = 0;   ///< texels a side
+    /// The texels on the host; empty where OpenGL has them and nobody asked.
     Image<Rgb8> texels{};
     /// `texels` in OpenGL's format, with the coarser MIP levels.
     std::vector<Image<Rgba8>> levels{};
+    /// What OpenGL made where it is, instead of `levels` and of the material's pictures.
+    ResidentPicture resident{};
+    std::string by{};      ///< who made it, in words
     double seconds = 0.0;  ///< time it took to bake, in seconds
     /// The material of the same recipe, at the same level.
     std::shared_ptr<const EditMaterial> material{};
@@ -72,6 +78,8 @@ class FrontBuffer {
     bool publish(const std::shared_ptr<const EditSurface>& of,
                  std::shared_ptr<const SurfacePick> pick);
 
+    /// Whether a window shows the sheet.
+    bool wants_sheet() const { return read(wants_sheet_); }
     /// Sets whether a window shows the sheet. Returns true where that begins now.
     bool want_sheet(bool wanted);
     /// Whether a window shows the sheet, and it is not that of the surface shown in this space.

@@ -78,13 +78,14 @@ Recipe TextureRequests::recipe() {
 void TextureRequests::update(bool sheet) {
     if (baker_.want_sheet(sheet)) requested_.reset();
     if (compared_with_ && compared_ != session_.recipe()) compared_with_.reset();
-    WorkerRequest wanted{recipe(), session_.moving()};
+    WorkerRequest wanted{recipe(), session_.moving(), synthesis};
     wanted.recipe.pose = {};
     const bool same = requested_ && requested_->recipe == wanted.recipe &&
+                      requested_->synthesis == wanted.synthesis &&
                       (requested_->moving == wanted.moving || !requested_->moving);
     if (same) return;
     requested_ = wanted;
-    last_ = baker_.request(wanted.recipe, wanted.moving);
+    last_ = baker_.request(wanted.recipe, wanted.moving, synthesis);
 }
 
 }  // namespace burl

@@ -24,6 +24,9 @@ class TextureRequests {
     /// recipe, too.
     void compare();
     bool comparing() const { return compared_with_.has_value(); }
+    /// Who makes the textures from the next update() on.
+    SynthesisWish synthesis{};
+
     /// Shows what the node at a place gives, on the whole object, through all edits until the place
     /// has none; an empty place ends that.
     void look(std::string place);

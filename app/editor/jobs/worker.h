@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "app/editor/jobs/synthesis.h"
 #include "app/recipe/recipe.h"
 
 namespace burl {
@@ -59,6 +60,7 @@ class JobQueue {
 struct WorkerRequest {
     Recipe recipe{};
     bool moving = false;
+    SynthesisWish synthesis{};
     std::uint64_t number = 0;  ///< the caller's number of the request
 };
 

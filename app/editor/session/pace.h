@@ -1,7 +1,7 @@
 #pragma once
-// Frame pacing while the editor opens a mesh: with software OpenGL drawing competes with the
-// opening of the mesh for processors, so it gets a share of the time only. With a graphics card
-// every refresh of the display still has its frame.
+// When the editor draws frames. While a mesh is opened, drawing by a software OpenGL competes with
+// that for processors, so it gets a share of the time only; with a graphics card every refresh of
+// the display still has its frame. While nothing happens, none is drawn.
 #include <algorithm>
 #include <chrono>
 #include <span>
@@ -30,6 +30,38 @@ class EditPace {
 
   private:
     Clock::time_point due_{};
+};
+
+/// Which turns of the frame loop draw while nothing moves by itself: after input one frame and
+/// three more, which Dear ImGui needs to come to rest, and four within the second after, so that
+/// tips come and fades end; after news of another thread two. Then none.
+class EditRest {
+  public:
+    static constexpr double late_seconds = 0.25;  ///< between the frames of the second after input
+
+    /// Asks for so many more frames at once.
+    void ask(int frames) { at_once_ = std::max(at_once_, frames); }
+    /// The longest time, in seconds, to wait for input and news: 0 where a frame is due at once.
+    double patience() const { return at_once_ > 0 ? 0.0 : late_ > 0 ? late_seconds : 1.0; }
+    /// Takes what a wait of so many seconds brought; returns whether a frame is due.
+    bool ended(bool input, bool news, double waited) {
+        if (input) {
+            at_once_ = 3;
+            late_ = 4;
+        } else if (at_once_ > 0) {
+            --at_once_;
+        } else if (news) {
+            at_once_ = 1;
+        } else if (late_ > 0 && waited > 0.9 * late_seconds) {
+            --late_;
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+  private:
+    int at_once_ = 3, late_ = 0;  ///< frames still to draw
 };
 
 /// Whether all events are moves of the pointer.

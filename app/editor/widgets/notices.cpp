@@ -57,7 +57,8 @@ void EditNotices::tell(std::string text, bool problem) {
 }
 
 std::string EditNotices::show(EditItems& items, std::vector<Notice> notices, float bottom) {
-    if (seconds_() < until_) notices.push_back(news_);
+    shown_ = seconds_() < until_;
+    if (shown_) notices.push_back(news_);
     if (notices.empty()) return {};
     const float margin = ImGui::GetStyle().WindowPadding.x;
     ImGui::SetNextWindowPos({margin, bottom - margin}, ImGuiCond_Always, {0.0f, 1.0f});

@@ -34,10 +34,13 @@ class EditNotices {
     /// object's view; nothing where there are none. Returns the answer clicked in this frame;
     /// empty: none.
     std::string show(EditItems& items, std::vector<Notice> notices, float bottom);
+    /// Whether the message that show() has drawn has had its time.
+    bool outdated() const { return shown_ && seconds_() >= until_; }
 
   private:
     std::function<double()> seconds_;
     Notice news_;
+    bool shown_ = false;  ///< whether `news_` was drawn last
     double until_ = 0.0;  ///< time on the clock until which `news_` is shown
 };
 

@@ -214,8 +214,7 @@ const GlTexture* GlEditAtlas::draw(const GlEditObject& object, const Vec2d& size
     if (!texture) return nullptr;
     // Level 0 of the uploaded picture is level picture()->level of the texture.
     options.level -= int(object.picture()->level);
-    return sheet_.draw(*texture, std::uint32_t(object.picture()->texels.width()),
-                       object.picture()->number, options);
+    return sheet_.draw(*texture, object.picture()->side, object.picture()->number, options);
 }
 
 std::optional<TexelView> GlEditAtlas::texel(const FrontBuffer& baked, const GlEditObject& object,
@@ -231,7 +230,8 @@ std::optional<TexelView> GlEditAtlas::texel(const FrontBuffer& baked, const GlEd
         return image(std::size_t(uv->x * double(image.width())),
                      std::size_t(uv->y * double(image.height())));
     };
-    if (const EditPicture* shown = object.picture()) view.color = at(shown->texels);
+    if (const EditPicture* shown = object.picture(); shown && shown->texels.width() > 0)
+        view.color = at(shown->texels);
     if (const auto error = picture(); error && error->codes.width() > 0 && at(error->codes) >= 0.0f)
         view.error = double(at(error->codes));
     return view;

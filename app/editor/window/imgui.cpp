@@ -126,12 +126,14 @@ void GlImGui::draw(const ImDrawData& data) const {
     check_gl(*gl_, "drawing the user interface");
 }
 
-void GlImGui::update(const ImDrawData& data, const Vec3f& background, const OpaqueImage& image) {
+void GlImGui::update(const ImDrawData& data, const Vec3f& background, const OpaqueImage& image,
+                     const std::function<bool(ImTextureID)>& lasts) {
     const glm::ivec2 pixels = pixel_size(data);
     if (pixels.x <= 0 || pixels.y <= 0) return;
     const ImTextureID picture = image.target ? imgui_texture(image.target->texture()) : nullptr;
     const std::vector<ScreenRect> parts = changes_.update(data, [&](ImTextureID texture) {
-        return (image.still && texture == picture) || texture == imgui_texture(fonts_);
+        return (image.still && texture == picture) || texture == imgui_texture(fonts_) ||
+               lasts(texture);
     });
     if (parts.empty()) return;
     set_state(data, pixels);
@@ -148,30 +150,38 @@ void GlImGui::update(const ImDrawData& data, const Vec3f& background, const Opaq
 }
 
 /// Copies a dirty rectangle from the image instead of drawing it, where the image covers the
-/// rectangle pixel by pixel. Returns the last command that does so, or null where none does.
+/// rectangle pixel by pixel, or is all of it and half as large. Returns the last command that does
+/// so, or null where none does.
 const ImDrawCmd* GlImGui::copy(const ImDrawData& data, const glm::ivec2& pixels,
                                const ScreenRect& part, const GlTarget& image) const {
     const ImDrawCmd* found = nullptr;
-    glm::ivec2 origin;
+    PixelRect place;
+    const PixelRect box = pixel_rect(part, data, pixels);
     for (int i = 0; i < data.CmdListsCount; ++i)
         for (const ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) {
             const ImVec4& clip = command.ClipRect;
             if (command.GetTexID() != imgui_texture(image.texture())) continue;
-            const ScreenRect place = image_place(*data.CmdLists[i], command);
-            const PixelRect box = pixel_rect(place, data, pixels);
-            if (box.high - box.low != image.size() || !contains(place, part) ||
+            const ScreenRect at = image_place(*data.CmdLists[i], command);
+            const PixelRect all = pixel_rect(at, data, pixels);
+            const glm::ivec2 size = all.high - all.low;
+            const bool whole = size == image.size();
+            const bool half =
+                size / 2 == image.size() && box.low == all.low && box.high == all.high;
+            if ((!whole && !half) || !contains(at, part) ||
                 !contains({{clip.x, clip.y}, {clip.z, clip.w}}, part))
                 continue;
             found = &command;
-            origin = box.low;
+            place = all;
         }
-    const PixelRect box = pixel_rect(part, data, pixels);
     if (!found || box.empty()) return nullptr;
-    const glm::ivec2 low = box.low - origin, high = box.high - origin;
+    const bool whole = place.high - place.low == image.size();
+    const glm::ivec2 low = whole ? box.low - place.low : glm::ivec2(0);
+    const glm::ivec2 high = whole ? box.high - place.low : image.size();
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, image.framebuffer());
     gl_->BlitFramebuffer(low.x, low.y, high.x, high.y, box.low.x, pixels.y - box.low.y, box.high.x,
-                         pixels.y - box.high.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+                         pixels.y - box.high.y, GL_COLOR_BUFFER_BIT,
+                         whole ? GL_NEAREST : GL_LINEAR);
     gl_->Enable(GL_SCISSOR_TEST);
     return found;
 }

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "app/editor/panels/changes.h"
@@ -47,9 +48,11 @@ class GlImGui {
         bool still = false;  ///< whether its texels are unchanged since the last call
     };
     /// Redraws only the dirty rectangles over `background`; the bound framebuffer must hold what
-    /// the last call drew. A rectangle that shows any texture is dirty, except the fonts and an
-    /// `image` that is still.
-    void update(const ImDrawData& data, const Vec3f& background, const OpaqueImage& image);
+    /// the last call drew. A rectangle that shows any texture is dirty, except the fonts, an
+    /// `image` that is still, and textures of which `lasts` says that their texels never change.
+    void update(
+        const ImDrawData& data, const Vec3f& background, const OpaqueImage& image,
+        const std::function<bool(ImTextureID)>& lasts = [](ImTextureID) { return false; });
 
   private:
     void draw_within(const ImDrawData& data, const glm::ivec2& pixels, const ScreenRect& part,

@@ -137,6 +137,7 @@ void EditorProgram::view_menu() {
     if (menu_item(items_, "Top", "7")) camera = from_top(camera);
     up_menu();
     light_menu();
+    synthesis_menu();
     menu_toggle(items_, "Turntable", "T", viewport_.turntable);
     menu_toggle(items_, "Graph", "N", graph_.shown);
     menu_toggle(items_, "Atlas", "V", atlas_.state.shown);
@@ -216,7 +217,7 @@ void EditorProgram::layout() {
     place_next_window(panes.tools);
     toolbar();
     place_next_window(panes.object);
-    if (viewport_.window(items_, opening_, times_)) frames_to_draw_ = std::max(frames_to_draw_, 1);
+    if (viewport_.window(items_, opening_, times_)) rest_.ask(1);
     place_next_window(panes.atlas);
     if (atlas_.state.shown) atlas_window();
     graph_window({0.0f, wishes.size.y}, {display.x, display.y - wishes.size.y});
@@ -231,6 +232,8 @@ void EditorProgram::layout() {
     move_panel(context, viewport_.move, panes.object.low);
     look_badge(panes.object.low, {panes.object.high.x - panes.object.low.x,
                                   panes.object.high.y - panes.object.low.y});
+    passes_badge(panes.object.low, {panes.object.high.x - panes.object.low.x,
+                                    panes.object.high.y - panes.object.low.y});
     if (keys_open_) keys_open_ = cheat_sheet(context);
     if (const auto view = recovery_window(context, autosave_)) take_recovered(*view);
     first_steps({panes.object.high.x, panes.object.low.y});

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include "app/gl/device/context.h"
 #include "app/gl/device/objects.h"
 #include "app/gl/draw/view_scene.h"
 #include "app/scene/shading.h"
@@ -25,9 +26,18 @@ void check_size(const GladGLContext& gl, const Image<Rgba8>& image) {
 
 constexpr std::size_t piece_bytes = std::size_t(1) << 20;
 constexpr std::chrono::milliseconds patience{4};  ///< longest upload of a surface in a frame
+/// What a software OpenGL draws of a view at rest in a frame: triangles of a large surface, and
+/// samples; an environment's light takes longer.
+constexpr std::size_t part_triangles = 40'000, part_samples = 500'000;
 
+/// The pixels that are drawn, and the samples.
+PictureSize pixel_size(const ObjectViewOptions& options) {
+    if (!options.half) return options.size;
+    return {std::max(options.size.width / 2, 1), std::max(options.size.height / 2, 1)};
+}
 PictureSize sample_size(const ObjectViewOptions& options) {
-    return {options.size.width * options.supersample, options.size.height * options.supersample};
+    const PictureSize pixels = pixel_size(options);
+    return {pixels.width * options.supersample, pixels.height * options.supersample};
 }
 
 GlProgram encode_program(const GladGLContext& gl, bool tone_curve) {
@@ -76,6 +86,7 @@ void GlEditTexture::show(const std::vector<Image<Rgba8>>& levels) {
 
 GlEditObject::GlEditObject(const GladGLContext& gl)
     : gl_(&gl),
+      is_software_(is_software(gl)),
       encode_(encode_program(gl, false)),
       develop_(encode_program(gl, true)),
       pass_(gl),
@@ -118,15 +129,25 @@ void GlEditObject::take_over() {
     textures_.clear();
     picture_.reset();
     normals_.reset();
+    coarse_.reset();
+    pictured_ = false;
     drawn_.reset();
+    parted_.reset();
     seen_.reset();
     placed_.reset();
+}
+
+void GlEditObject::show_coarse(const std::shared_ptr<const CoarseSurfaces>& coarse) {
+    if (coarse == coarse_ || !scene_) return;
+    coarse_ = coarse;
+    scene_->set_coarse(coarse ? *coarse : CoarseSurfaces(), surface_->frames);
 }
 
 void GlEditObject::show_lines(const std::shared_ptr<const SurfaceLines>& lines) {
     if (lines_.shows(lines)) return;
     lines_.show(lines, surface_ ? surface_->sphere : Sphere{});
     drawn_.reset();
+    parted_.reset();
 }
 
 const GlTexture* GlEditObject::texture() const {
@@ -137,7 +158,10 @@ const GlTexture* GlEditObject::texture() const {
 void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
     const int colors = baked_material(surface_->scene).texture;
     const EditMaterial* material = picture->material.get();
-    if (!material || !material->pictures.contains(colors)) upload(colors, picture->levels);
+    borrow(picture->resident);
+    const bool made_here = picture->resident.pictures != nullptr;
+    if (!made_here && (!material || !material->pictures.contains(colors)))
+        upload(colors, picture->levels);
     if (material && (!picture_ || material != picture_->material.get())) {
         scene_->set_material(material->numbers);
         for (const auto& [number, levels] : material->pictures) upload(number, levels);
@@ -145,6 +169,15 @@ void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
     if (picture->normals != normals_) upload_normals(picture->normals);
     picture_ = picture;
     drawn_.reset();
+    parted_.reset();
+}
+
+/// Has the scene show the textures that OpenGL made, or its own where it made none.
+void GlEditObject::borrow(const ResidentPicture& resident) {
+    for (std::size_t i = 0; i < surface_->scene.textures.size(); ++i)
+        scene_->lend_texture(int(i), nullptr);
+    for (std::size_t i = 0; i < resident.numbers.size(); ++i)
+        scene_->lend_texture(resident.numbers[i], &resident.pictures->images[i]);
 }
 
 /// Uploads the levels of the scene's texture `number`.
@@ -166,8 +199,11 @@ void GlEditObject::upload_normals(std::shared_ptr<const Image<Rgb8>> normals) {
 void GlEditObject::make_target(std::optional<GlDepthTarget>& target, const PictureSize& size,
                                GLenum format) {
     if (target && target->colors.size() == GlSize{size.width, size.height}) return;
+    if (target && image_ == &*target) image_ = nullptr;
     target.emplace(*gl_, size, format);
-    placed_.reset();
+    if (&target == &shown_) placed_.reset();
+    parted_.reset();
+    pictured_ &= image_ != nullptr;
 }
 
 /// Whether the view can be drawn without a second pass: with one sample per pixel, no lines and
@@ -176,43 +212,107 @@ bool GlEditObject::is_direct(const ObjectViewOptions& options) const {
     return options.supersample == 1 && !options.edges && !options.borders && !scene_->has_layers();
 }
 
-void GlEditObject::make_targets(const ObjectViewOptions& options) {
-    make_target(shown_, options.size, GL_RGBA8);
-    gl_->BindTexture(GL_TEXTURE_2D, shown_->colors.texture().get());
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    if (!is_direct(options)) make_target(samples_, sample_size(options), GL_RGBA16F);
+/// Whether the G-buffer can hold the view's lookups.
+bool GlEditObject::keeps_places(const ObjectViewOptions& options) const {
+    return scene_ && is_direct(options) && !options.half && !options.light && scene_->has_places();
 }
 
+/// Whether coarse surfaces are drawn: not where only the texture has changed and the G-buffer does.
+bool GlEditObject::is_coarse(const ObjectViewOptions& options) const {
+    return options.coarse && scene_->has_coarse() &&
+           !(keeps_places(options) && (seen_ == options || placed_ == options));
+}
+
+/// A part of the triangles of a surface that is large for a software OpenGL, else all of them.
+DrawPart GlEditObject::part_of(const ObjectViewOptions& options, int number) const {
+    if (!scene_->has_coarse()) return {};
+    const std::size_t each = options.light ? part_triangles / 2 : part_triangles;
+    return {number, int(1 + drawn_triangles(surface_->scene) / each)};
+}
+
+/// The number of bands of rows in which a software OpenGL draws the samples of a surface that is
+/// not large.
+int GlEditObject::row_parts(const ObjectViewOptions& options) const {
+    if (!is_software_ || scene_->has_coarse()) return 1;
+    const PictureSize size = sample_size(options);
+    const std::size_t each = options.light ? part_samples / 4 : part_samples;
+    return int(1 + std::size_t(size.width) * std::size_t(size.height) / each);
+}
+
+void GlEditObject::make_targets(const ObjectViewOptions& options) {
+    std::optional<GlDepthTarget>& shown = options.half ? small_ : shown_;
+    make_target(shown, pixel_size(options), GL_RGBA8);
+    gl_->BindTexture(GL_TEXTURE_2D, shown->colors.texture().get());
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    if (!is_direct(options) && !is_coarse(options))
+        make_target(samples_, sample_size(options), GL_RGBA16F);
+}
+
+/// The pixels to draw; the depth of the G-buffer is that of all pixels.
+GlDepthTarget& GlEditObject::target_of(const ObjectViewOptions& options) {
+    if (options.half) return *small_;
+    placed_.reset();
+    return *shown_;
+}
+
+/// Draws the samples of the view, or their next part; part_ is 0 after the last one.
 void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     const PictureSize samples = sample_size(options);
-    const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
+    const Camera camera = camera_of(options.camera, surface_->sphere, pixel_size(options));
     samples_->colors.bind();
     const SampleTile tile{0, 0, samples.width, samples.height};
     const GlShading shading = shading_of(options);
-    const Vec4f background(Vec3f(background_linear()), 1.0f);
-    scene_->clear(tile, shading.tone_curve ? Vec4f(0.0f) : background);
-    scene_->draw(camera, samples, tile, shading);
-    if (scene_->has_layers()) scene_->draw_blended(camera, samples, tile, shading);
+    if (part_ == 0)
+        scene_->clear(tile,
+                      shading.tone_curve ? Vec4f(0.0f) : Vec4f(Vec3f(background_linear()), 1.0f));
+    const int bands = pictured_ ? row_parts(options) : 1;
+    const DrawPart part = pictured_ ? part_of(options, part_) : DrawPart();
+    const auto row = [&](int band) { return samples.height * band / bands; };
+    if (bands > 1) {
+        gl_->Enable(GL_SCISSOR_TEST);
+        gl_->Scissor(0, row(part_), samples.width, row(part_ + 1) - row(part_));
+    }
+    scene_->draw(camera, samples, tile, shading, part);
+    part_ = (part_ + 1) % std::max(part.count, bands);
+    if (part_ == 0 || bands > 1) {
+        if (scene_->has_layers()) scene_->draw_blended(camera, samples, tile, shading);
+        draw_lines(options);
+    }
+    gl_->Disable(GL_SCISSOR_TEST);
+    gl_->Disable(GL_DEPTH_TEST);
+}
+
+void GlEditObject::draw_lines(const ObjectViewOptions& options) {
+    const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
     for (const auto& [kind, shown] : {std::pair(GlEditLines::Kind::edges, options.edges),
                                       std::pair(GlEditLines::Kind::borders, options.borders)})
-        if (shown) lines_.draw(kind, camera, samples, options.supersample, options.share);
+        if (shown)
+            lines_.draw(kind, camera, sample_size(options), options.supersample, options.share);
+}
+
+/// Draws the coarse surfaces, without lines, which belong to other triangles.
+void GlEditObject::draw_coarse(const ObjectViewOptions& options) {
+    scene_->set_target_share(options.share);
+    const PictureSize size = pixel_size(options);
+    target_of(options).colors.bind();
+    scene_->draw_coarse(camera_of(options.camera, surface_->sphere, size), size,
+                        {0, 0, size.width, size.height}, shading_of(options));
     gl_->Disable(GL_DEPTH_TEST);
 }
 
 void GlEditObject::draw_pixels(const ObjectViewOptions& options) {
-    placed_.reset();  // drawing overwrites the depth of the G-buffer
-    const PictureSize& size = options.size;
-    shown_->colors.bind();
+    const PictureSize size = pixel_size(options);
+    target_of(options).colors.bind();
     scene_->draw_encoded(camera_of(options.camera, surface_->sphere, size), size,
                          {0, 0, size.width, size.height}, shading_of(options));
     gl_->Disable(GL_DEPTH_TEST);
 }
 
-void GlEditObject::encode(const ObjectViewOptions& options) const {
+void GlEditObject::encode(const ObjectViewOptions& options) {
     const GlShading shading = shading_of(options);
     const GlProgram& program = shading.tone_curve ? develop_ : encode_;
-    shown_->colors.bind();
+    (options.half ? small_ : shown_)->colors.bind();
     program.use();
     program.set("samples", 0);
     program.set("side", options.supersample);
@@ -223,26 +323,56 @@ void GlEditObject::encode(const ObjectViewOptions& options) const {
     check_gl(*gl_, "drawing the object");
 }
 
+/// Draws the view, or the next part of it.
 void GlEditObject::draw_view(const ObjectViewOptions& options) {
+    if (is_coarse(options)) return draw_coarse(options);
     if (is_direct(options) && draw_places(options)) return;
     scene_->set_target_share(options.share);
     if (is_direct(options)) return draw_pixels(options);
     draw_samples(options);
-    encode(options);
+    if (part_ == 0) encode(options);
 }
 
-/// Shades from the G-buffer where only the texture has changed since the last frame; returns
-/// whether that was possible.
+/// Shades from the G-buffer where it is ready, or only the texture has changed since the last
+/// frame; returns whether that was possible.
 bool GlEditObject::draw_places(const ObjectViewOptions& options) {
-    if (seen_ != options || options.light || !scene_->has_places()) return false;
-    if (placed_ != options) {
-        scene_->set_target_share(options.share);
-        places_.find(*scene_, camera_of(options.camera, surface_->sphere, options.size), *shown_,
-                     options.lit);
-        placed_ = options;
-    }
+    if (!keeps_places(options) || (seen_ != options && placed_ != options)) return false;
+    if (placed_ != options) find_places(options, {});
     places_.draw(*texture(), *shown_);
     return true;
+}
+
+/// Draws a part of the G-buffer.
+void GlEditObject::find_places(const ObjectViewOptions& options, const DrawPart& part) {
+    scene_->set_target_share(options.share);
+    places_.find(*scene_, camera_of(options.camera, surface_->sphere, options.size), *shown_,
+                 options.lit, part);
+    placed_.reset();
+    if (part.number + 1 == part.count) placed_ = options;
+}
+
+void GlEditObject::prepare(const ObjectViewOptions& moving) {
+    const bool rests = is_software_ && scene_ && pictured_ && drawn_ && part_ == 0;
+    if (!rests || moving.size != drawn_->size || !picture_) return;
+    if (std::exchange(tried_, moving) != moving) return try_programs(moving);
+    if (!keeps_places(moving) || placed_ == moving) return;
+    if (std::exchange(placing_, moving) != moving) place_part_ = 0;
+    const DrawPart part = part_of(moving, place_part_);
+    find_places(moving, part);
+    place_part_ = (part.number + 1) % part.count;
+}
+
+/// Draws the moving view very small: a software OpenGL compiles programs when it draws.
+void GlEditObject::try_programs(const ObjectViewOptions& moving) {
+    if (!trial_) trial_.emplace(*gl_, PictureSize{8, 8}, GL_RGBA8);
+    const PictureSize size{8, 8};
+    const Camera camera = camera_of(moving.camera, surface_->sphere, size);
+    trial_->colors.bind();
+    if (scene_->has_coarse())
+        scene_->draw_coarse(camera, size, {0, 0, 8, 8}, shading_of(moving));
+    else
+        scene_->draw_encoded(camera, size, {0, 0, 8, 8}, shading_of(moving));
+    gl_->Disable(GL_DEPTH_TEST);
 }
 
 const GlTexture* GlEditObject::draw(const ObjectViewOptions& options) {
@@ -250,10 +380,19 @@ const GlTexture* GlEditObject::draw(const ObjectViewOptions& options) {
     drew_ = drawn_ != options;
     if (drew_) {
         make_targets(options);
+        if (std::exchange(parted_, options) != options) part_ = 0;
         draw_view(options);
-        drawn_ = seen_ = options;
+        drew_ = part_ == 0;
+    } else {
+        part_ = 0;
     }
-    return &shown_->colors.texture();
+    if (drew_) {
+        drawn_ = seen_ = options;
+        image_ = options.half ? &*small_ : &*shown_;
+        pictured_ = true;
+    }
+    if (part_ == 0) parted_.reset();
+    return &image_->colors.texture();
 }
 
 }  // namespace burl

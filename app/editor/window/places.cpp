@@ -40,11 +40,11 @@ GlEditPlaces::GlEditPlaces(const GladGLContext& gl)
       pass_(gl) {}
 
 void GlEditPlaces::find(const GlScene& scene, const Camera& camera, const GlDepthTarget& target,
-                        bool lit) {
-    places_.emplace(*gl_, target, GL_RGBA32F);
+                        bool lit, const DrawPart& part) {
+    if (part.number == 0) places_.emplace(*gl_, target, GL_RGBA32F);
     const GlSize size = target.colors.size();
     places_->colors.bind();
-    scene.draw_places(camera, {size.x, size.y}, {0, 0, size.x, size.y}, lit);
+    scene.draw_places(camera, {size.x, size.y}, {0, 0, size.x, size.y}, lit, part);
     gl_->Disable(GL_DEPTH_TEST);
 }
 

@@ -12,6 +12,7 @@
 namespace burl {
 
 class GlScene;
+struct DrawPart;
 
 /// A colour target with a depth buffer.
 class GlDepthTarget {
@@ -31,9 +32,10 @@ class GlEditPlaces {
   public:
     explicit GlEditPlaces(const GladGLContext& gl);
 
-    /// Renders the G-buffer of a scene that has_places(). The depth buffer of `target` is shared,
-    /// and says from then on which pixels show a surface.
-    void find(const GlScene& scene, const Camera& camera, const GlDepthTarget& target, bool lit);
+    /// Renders the G-buffer of a scene that has_places(), or a part of it, which needs all before.
+    /// The depth buffer of `target` is shared, and says from then on which pixels show a surface.
+    void find(const GlScene& scene, const Camera& camera, const GlDepthTarget& target, bool lit,
+              const DrawPart& part);
     /// Shades the G-buffer into the target of the last find(), whose depth must be unchanged: the
     /// pixels are bit-identical to those of GlScene::draw_encoded for a scene with this texture.
     void draw(const GlTexture& texture, const GlDepthTarget& target) const;

@@ -78,6 +78,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
     if (options.gallery) node_gallery_.emplace(window_->context().gl(), wake());
     if (options.preferences.empty()) preferences_.welcomed = true;  // a script knows what to do
     viewport_.light.choose(options.light);
+    choose_synthesis(options.synthesis);
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
 }
 
@@ -92,7 +93,7 @@ void EditorProgram::take(const InputEvent& event) {
     }
 }
 
-/// Takes over the results of other threads and writes the autosave when it is due.
+/// Takes over the results of other threads.
 void EditorProgram::take_news() {
     if (loader_.take()) {
         side_.deselect();
@@ -104,7 +105,13 @@ void EditorProgram::take_news() {
     if (const auto problem = session_.take_problem(); problem && !loader_.files().asks())
         notices_.tell(*problem, true);
     follow_mesh();
-    autosave_.keep(session_.history(), last_seconds_, view_text(loader_.files(), viewport_.camera));
+    keep();
+}
+
+/// Writes the autosave when it is due.
+void EditorProgram::keep() {
+    autosave_.keep(session_.history(), window_->seconds(),
+                   view_text(loader_.files(), viewport_.camera));
 }
 
 void EditorProgram::take_screenshot() {
@@ -123,11 +130,12 @@ void EditorProgram::take_screenshot() {
 
 bool EditorProgram::settled() const {
     return loader_.files().idle() && baker_.idle() && viewport_.idle() && atlas_.idle() &&
-           !viewport_.object().uploading() && !session_.moving();
+           !viewport_.object().uploading() && !viewport_.object().drawing() && !session_.moving();
 }
 
 void EditorProgram::frame(const std::vector<InputEvent>& events) {
     window_->context().make_current();
+    ++frames_;
     times_ = {};
     const double began = thread_seconds();
     timed(times_.panels, [&] { panels(events); });
@@ -236,7 +244,7 @@ void EditorProgram::follow_opening() {
     const bool is_seen = !object.uploading() && object.picture() == baker_.front().picture().get();
     const bool opening = !loader_.files().reading(FileKind::mesh).empty() || baker_.opening() ||
                          (opening_ && !is_seen);
-    if (opening_ && !opening) frames_to_draw_ = std::max(frames_to_draw_, 2);
+    if (opening_ && !opening) rest_.ask(2);
     opening_ = opening;
     baker_.hold_jobs(opening_);
     side_.hold(opening_);
@@ -253,7 +261,8 @@ void EditorProgram::draw_screen() {
     window_->bind_screen();
     const ImVec4 screen = style_color(palette().screen);
     const Vec3f background(screen.x, screen.y, screen.z);
-    renderer_.update(*ImGui::GetDrawData(), background, viewport_.image());
+    renderer_.update(*ImGui::GetDrawData(), background, viewport_.image(),
+                     [this](ImTextureID texture) { return side_.lasts(texture); });
 }
 
 Image<Rgb8> EditorProgram::screenshot() {
@@ -283,13 +292,14 @@ std::vector<InputEvent> EditorProgram::until_due() {
 
 void EditorProgram::turn() {
     const bool moves = viewport_.turntable || session_.timeline.playing;
-    const bool busy = frames_to_draw_ > 0 || moves || viewport_.object().uploading();
+    const bool busy = moves || viewport_.object().uploading();
     const bool handled = ImGui::IsAnyMouseDown() || moves;
+    const double from = window_->seconds();
     const std::vector<InputEvent> events =
-        opening_ && !handled ? until_due() : window_->poll(busy ? 0.0 : 1.0);
-    // Waking up without an event means that a background thread has news: a frame is due.
-    frames_to_draw_ = events.empty() && !busy ? 1 : std::max(frames_to_draw_ - 1, 0);
-    if (!events.empty()) frames_to_draw_ = 3;
+        opening_ && !handled ? until_due() : window_->poll(busy ? 0.0 : rest_.patience());
+    const bool news = window_->take_news() || notices_.outdated();
+    const bool due = rest_.ended(!events.empty(), news, window_->seconds() - from);
+    if (!due && !busy && !opening_ && viewport_.idle()) return keep();
     for (const std::vector<InputEvent>& some : in_frames(events)) {
         const auto began = EditPace::Clock::now();
         frame(some);
@@ -305,19 +315,27 @@ void EditorProgram::run() {
     autosave_.clear();
 }
 
+/// Runs frames until all that is there is uploaded and drawn.
+void EditorProgram::show_all() {
+    do {
+        frame({});
+    } while (viewport_.object().uploading());
+    do {
+        frame({});
+    } while (viewport_.object().drawing());
+}
+
 void EditorProgram::settle() {
     while (loader_.files().settle()) frame({});
     commands_.wait();
     baker_.hold_jobs(false);
     baker_.wait();
-    do {
-        frame({});
-    } while (viewport_.object().uploading());
-    frame({});
+    show_all();
     viewport_.wait();
     side_.wait();
     if (node_gallery_) node_gallery_->wait();
     atlas_.wait();
+    show_all();
     window_->present();
 }
 

@@ -34,6 +34,8 @@ struct EditorOptions {
     std::string mesh = "sample:teapot", recipe = "marble";
     std::vector<std::string> settings{};
     std::string light = "studio";  ///< a built-in environment, or "headlight"
+    /// Who makes the texture (EditSynthesis).
+    EditSynthesis synthesis = EditSynthesis::automatic;
     double ui_scale = 1.0;
     /// Path of the autosave file (app/editor/session/autosave.h); empty: none.
     std::string autosave{};
@@ -56,7 +58,7 @@ class EditorProgram {
     void frame(const std::vector<InputEvent>& events);
     /// Runs until the window is closed; sleeps while nothing happens.
     void run();
-    /// Runs one turn of run()'s loop.
+    /// Runs one turn of run()'s loop, which draws only where something may have changed.
     void turn();
     /// Whether a mesh is being read, laid out or uploaded, or its texture at level 0 is not on
     /// screen.
@@ -97,6 +99,8 @@ class EditorProgram {
     bool shown_smooth() const { return viewport_.object().drawn_samples() > 1; }
     /// The window's title: recipe and mesh, with a star where there are unsaved changes.
     std::string title() const;
+    /// The number of frames so far.
+    std::uint64_t frames() const { return frames_; }
     /// The times of the last frame.
     const FrameTimes& times() const { return times_; }
 
@@ -117,10 +121,12 @@ class EditorProgram {
     void meet_texts();
     void take(const InputEvent& event);
     void take_news();
+    void keep();
     void take_screenshot();
     void follow_opening();
     void draw_screen();
     std::vector<InputEvent> until_due();
+    void show_all();
     void settle();
     // layout.cpp: the windows of a frame, menus and shortcuts
     void shortcuts();
@@ -141,6 +147,11 @@ class EditorProgram {
     void atlas_window();
     void first_steps(const ImVec2& corner);
     void notices(float bottom);
+    // synthesis.cpp: who makes the texture
+    void offer_context(EditSynthesis by);
+    void choose_synthesis(EditSynthesis by);
+    void synthesis_menu();
+    void passes_badge(const ImVec2& low, const ImVec2& size);
     // graph.cpp: the graph in the window
     GraphHooks graph_hooks();
     float graph_height(float room);
@@ -184,8 +195,9 @@ class EditorProgram {
     double last_seconds_ = 0.0;  ///< time of the last frame on the window's clock
     bool opening_ = false;
     EditPace pace_;
-    int frames_to_draw_ = 3;  ///< frames still to draw until the user interface is at rest
+    EditRest rest_;
     FrameTimes times_;
+    std::uint64_t frames_ = 0;
 };
 
 }  // namespace burl

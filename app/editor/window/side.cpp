@@ -73,8 +73,10 @@ ImTextureID GlEditGallery::picture(const std::string& preset, int side) {
         return imgui_texture(found->second);
     const auto image = thumbnails_.picture(preset, side);
     if (!image) return nullptr;
-    return imgui_texture(
-        textures_.emplace(key, upload_levels(*gl_, picture_levels(*image), GL_RGB8)).first->second);
+    GlTexture texture = upload_levels(*gl_, picture_levels(*image), GL_RGB8);
+    const ImTextureID id = imgui_texture(textures_.emplace(key, std::move(texture)).first->second);
+    shown_.insert(id);
+    return id;
 }
 
 SidePanels::SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake)
@@ -156,6 +158,7 @@ MetricsView SidePanels::metrics(const FrontBuffer& front) {
     }
     if (const auto picture = front.picture()) {
         view.facts.emplace_back("level shown", fmt::format("{}", picture->level));
+        view.facts.emplace_back("texture by", picture->by);
         view.facts.emplace_back("made in", fmt::format("{:.1f} ms", 1e3 * picture->seconds));
     }
     view.facts.emplace_back("instructions", simd_level());

@@ -32,6 +32,8 @@ class GlEditGallery {
     /// (app/editor/jobs/thumbnails.h); null: not ready. The OpenGL context must be current.
     ImTextureID picture(const std::string& preset, int side);
 
+    /// Whether the texture is a thumbnail's, whose texels never change.
+    bool lasts(ImTextureID texture) const { return shown_.contains(texture); }
     /// While held, no thumbnail is begun.
     void hold(bool held) { thumbnails_.hold(held); }
     void wait() const { thumbnails_.wait(); }
@@ -39,6 +41,7 @@ class GlEditGallery {
   private:
     const GladGLContext* gl_;
     std::map<std::pair<std::string, int>, GlTexture> textures_;
+    std::set<ImTextureID> shown_;  ///< all of `textures_`
     EditThumbnails thumbnails_;
 };
 
@@ -73,6 +76,8 @@ class SidePanels {
     /// Drops the selection of a colour stop, for another document.
     void deselect() { stop_ = {}; }
 
+    /// Whether the texture's texels never change.
+    bool lasts(ImTextureID texture) const { return gallery_ && gallery_->lasts(texture); }
     /// While held, no thumbnail is begun.
     void hold(bool held);
     /// Blocks until nothing is being made for the panels.

@@ -25,7 +25,8 @@ ObjectViewport::ObjectViewport(const GladGLContext& gl, EditSession& session,
       requests_(requests),
       atlas_(atlas),
       is_software_(is_software(gl)),
-      posed_pick_(std::move(wake)),
+      posed_pick_(wake),
+      coarse_(std::move(wake)),
       object_(gl) {}
 
 void ObjectViewport::take_tool(bool& tool) {
@@ -117,27 +118,50 @@ bool ObjectViewport::comes_to_rest() const {
     return shown != newest.get() || (shown->request < requests_.last() && !baker_.idle());
 }
 
-/// `rough`: with one sample per pixel, and where the processor works out an environment's light,
-/// with half as many pixels a side.
-void ObjectViewport::draw(const ImVec2& low, const ImVec2& size, bool rough, FrameTimes& times) {
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+/// Has coarse surfaces made where the processor draws, once the surface shown has its finest
+/// texture.
+void ObjectViewport::follow_coarse(bool opening) {
+    if (!is_software_) return;
+    if (!opening) coarse_.follow(object_.surface());
+    object_.show_coarse(coarse_.surfaces(object_.surface()));
+}
+
+/// The view at rest; `rough`: with one sample per pixel, by the coarse surfaces if there are any,
+/// and where the processor draws triangles, with half as many pixels a side.
+ObjectViewOptions ObjectViewport::options(const PictureSize& size, bool rough) const {
     ObjectViewOptions options;
+    options.size = size;
     options.camera = camera;
     options.lit = lit;
-    options.light = lit ? light.light() : nullptr;
-    const int coarse = rough && options.light && is_software_ ? 2 : 1;
-    options.size = {int(size.x * scale.x) / coarse, int(size.y * scale.y) / coarse};
+    options.light = lit ? light_ : nullptr;
     options.share = share_;
     options.edges = atlas_.edges;
     options.borders = atlas_.borders;
     options.supersample = rough ? 1 : 2;
+    options.coarse = rough;
+    options.half = rough && is_software_ && !object_.has_coarse() &&
+                   (moving_camera_ || !object_.keeps_places(options));
+    return options;
+}
+
+void ObjectViewport::draw(const ImVec2& low, const ImVec2& size, bool rough, FrameTimes& times) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const PictureSize pixels{int(size.x * scale.x), int(size.y * scale.y)};
     const double began = thread_seconds();
-    const GlTexture* texture = object_.draw(options);
+    light_ = light.light();
+    const GlTexture* texture = object_.draw(options(pixels, rough));
+    if (!rough && !object_.drawing()) prepare(pixels);
     times.worked -= thread_seconds() - began;
     if (!texture) return;
     image_ = {object_.target(), !object_.drew()};
     ImGui::GetWindowDrawList()->AddImage(imgui_texture(*texture), low,
                                          {low.x + size.x, low.y + size.y});
+}
+
+/// Makes the first frame of a slider that moves ready, while nothing does.
+void ObjectViewport::prepare(const PictureSize& size) {
+    if (object_.drew()) return;
+    object_.prepare(options(size, true));
 }
 
 bool ObjectViewport::window(EditItems& items, bool opening, FrameTimes& times) {
@@ -153,11 +177,16 @@ bool ObjectViewport::window(EditItems& items, bool opening, FrameTimes& times) {
                 rests = comes_to_rest();
                 const FrontBuffer& front = baker_.front();
                 object_.show(front.surface(), front.picture(), front.coming());
+                follow_coarse(opening);
                 object_.show_lines(object_.uploading() ? nullptr : atlas_.lines());
+                const bool resized =
+                    std::exchange(size_, Vec2d(size.x, size.y)) != Vec2d(size.x, size.y);
+                rests |= resized;
                 const bool rough =
                     moving_camera_ || session_.moving() || is_rough(opening) || rests;
                 // The first picture of all waits for its light, which takes half a second.
                 if (!lit || !light.begins()) draw(low, size, rough, times);
+                rests |= object_.drawing();
             });
             if (const EditPicture* picture = object_.picture())
                 coarse_sign(items, low, size, picture->level);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/editor/jobs/coarse.h"
 #include "app/editor/jobs/requests.h"
 #include "app/editor/panels/move.h"
 #include "app/editor/panels/paint.h"
@@ -51,9 +52,10 @@ class ObjectViewport {
     /// The BVH of the surface on screen; null: not ready.
     std::shared_ptr<const SurfacePick> pick() const;
 
-    bool idle() const { return posed_pick_.idle() && light.idle(); }
+    bool idle() const { return posed_pick_.idle() && coarse_.idle() && light.idle(); }
     void wait() const {
         posed_pick_.wait();
+        coarse_.wait();
         light.wait();
     }
 
@@ -63,7 +65,10 @@ class ObjectViewport {
     void move_camera(const ImVec2& size);
     bool is_rough(bool opening) const;
     bool comes_to_rest() const;
+    void follow_coarse(bool opening);
+    ObjectViewOptions options(const PictureSize& size, bool rough) const;
     void draw(const ImVec2& low, const ImVec2& size, bool rough, FrameTimes& times);
+    void prepare(const PictureSize& size);
 
     EditSession& session_;
     const EditBaker& baker_;
@@ -71,8 +76,11 @@ class ObjectViewport {
     GlEditAtlas& atlas_;
     bool is_software_;  ///< whether the processor draws
     bool moving_camera_ = false;
-    double share_ = 0.0;  ///< share of the way to the pose that is shown, 0 to 1
+    std::shared_ptr<const GlLight> light_;  ///< of this frame; null: the headlight
+    Vec2d size_{0.0};                       ///< of the view in the last frame
+    double share_ = 0.0;                    ///< share of the way to the pose that is shown, 0 to 1
     EditPosedPick posed_pick_;
+    EditCoarse coarse_;
     GlEditObject object_;
     GlImGui::OpaqueImage image_{};
 };

@@ -36,6 +36,8 @@ class GlWindow {
     virtual std::vector<InputEvent> poll(double seconds) = 0;
     /// Ends a wait of poll(). May be called by any thread.
     virtual void wake() = 0;
+    /// Returns whether, since the last call, wake() was called or the display lost what it showed.
+    virtual bool take_news() = 0;
     /// Factor by which text must be enlarged to be readable on this display, where screen
     /// coordinates are pixels.
     virtual double text_scale() const { return 1.0; }

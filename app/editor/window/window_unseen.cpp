@@ -1,5 +1,6 @@
 // Offscreen windows for scripts and tests, with a clipboard and a clock of their own.
 #include <algorithm>
+#include <atomic>
 #include <initializer_list>
 #include <optional>
 #include <utility>
@@ -24,7 +25,8 @@ class UnseenWindow final : public GlWindow {
     void bind_screen() override { screen_->bind(); }
     void present() override { seconds_ += 1.0 / 60.0; }
     std::vector<InputEvent> poll(double) override { return {}; }
-    void wake() override {}
+    void wake() override { woken_ = true; }
+    bool take_news() override { return woken_.exchange(false); }
     void resize(const glm::ivec2& size) override {
         if (size == size_ || size.x < 1 || size.y < 1) return;
         screen_.emplace(context_->gl(), size, screen_format);
@@ -43,6 +45,7 @@ class UnseenWindow final : public GlWindow {
     std::optional<GlTarget> screen_;
     std::string clipboard_;
     double seconds_ = 0.0;
+    std::atomic<bool> woken_ = false;
 };
 
 }  // namespace

@@ -27,6 +27,12 @@ class GlContext {
 
     /// Makes this the calling thread's current context. Throws Error(runtime).
     virtual void make_current() = 0;
+    /// Makes no context current in the calling thread, so that another thread may make this one so.
+    virtual void release() = 0;
+    /// A context for another thread, with which this one shares textures, buffers and programs; it
+    /// is current nowhere. It must be made by the thread that made this one, which destroys both.
+    /// Throws Error(unsupported) where the library gives none.
+    virtual std::unique_ptr<GlContext> share() = 0;
     /// The address of an OpenGL function; null where the context has none of that name.
     virtual GlProcedure get_proc(const char* name) = 0;
     /// The library that the context comes from, such as "OSMesa".
@@ -85,5 +91,17 @@ struct GlFact {
 /// Renderer, vendor, versions, float64 support and the limits that matter to synthesis. Makes the
 /// context current. Throws Error(runtime) when OpenGL fails.
 std::vector<GlFact> gl_facts(GlContext& context);
+
+/// A context that is current in the calling thread until the scope ends; then none is.
+class CurrentContext {
+  public:
+    explicit CurrentContext(GlContext& context) : context_(context) { context.make_current(); }
+    CurrentContext(const CurrentContext&) = delete;
+    CurrentContext& operator=(const CurrentContext&) = delete;
+    ~CurrentContext() { context_.release(); }
+
+  private:
+    GlContext& context_;
+};
 
 }  // namespace burl

@@ -61,6 +61,9 @@ struct Made {
     std::string library, origin;
     GlProcedure (*get_proc)(const char* name) = nullptr;
     std::function<bool()> make_current;
+    std::function<void()> release;
+    /// Makes another context that shares this one's objects.
+    std::function<Made(void* context)> share{};
     /// The context, whose deleter takes it from the thread where it is current, and destroys it.
     std::shared_ptr<void> context;
 };
@@ -76,6 +79,12 @@ class LibraryContext final : public GlContext {
         if (!made_.make_current())
             throw Error(ExitCode::runtime,
                         fmt::format("{} could not activate its OpenGL context", made_.library));
+    }
+    void release() override { made_.release(); }
+    std::unique_ptr<GlContext> share() override {
+        auto other = std::make_unique<LibraryContext>(made_.share(made_.context.get()));
+        make_current();
+        return other;
     }
     GlProcedure get_proc(const char* name) override { return made_.get_proc(name); }
     std::string origin() const override { return made_.origin; }
@@ -106,13 +115,7 @@ struct OsMesa {
     GlProcedure (*get_proc)(const char* name) = nullptr;
 };
 
-Made make_osmesa(std::span<const char* const> names) {
-    const Library library(names,
-                          "the software OpenGL library OSMesa was not found; install the package "
-                          "libosmesa6 to draw pictures",
-                          "is too old to make an OpenGL 3.3 context; install the package "
-                          "libosmesa6 (Mesa 12 or later)");
-    const OsMesa mesa(library);
+Made make_osmesa(const OsMesa& mesa, const std::string& library, void* shared) {
     void* const context = create_highest([&](int major, int minor) {
         const int attributes[] = {osmesa_format,
                                   GL_RGBA,
@@ -123,22 +126,32 @@ Made make_osmesa(std::span<const char* const> names) {
                                   osmesa_context_minor_version,
                                   minor,
                                   0};
-        return mesa.create_context(attributes, nullptr);
+        return mesa.create_context(attributes, shared);
     });
     if (context == nullptr)
         throw Error(ExitCode::unsupported,
                     fmt::format("{} gives no OpenGL 3.3 core context; install a later libosmesa6",
-                                library.name()));
+                                library));
     // The unused default framebuffer has one pixel.
     const auto make_current = [=, window = std::make_shared<std::uint32_t>()] {
         return mesa.make_current(context, window.get(), GL_UNSIGNED_BYTE, 1, 1) != 0;
     };
-    const auto destroy = [mesa](void* dead) {
-        if (mesa.current_context() == dead)
-            mesa.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    const auto release = [mesa] { mesa.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); };
+    const auto destroy = [mesa, release](void* dead) {
+        if (mesa.current_context() == dead) release();
         mesa.destroy_context(dead);
     };
-    return {library.name(), "OSMesa", mesa.get_proc, make_current, {context, destroy}};
+    const auto share = [mesa, library](void* with) { return make_osmesa(mesa, library, with); };
+    return {library, "OSMesa", mesa.get_proc, make_current, release, share, {context, destroy}};
+}
+
+Made make_osmesa(std::span<const char* const> names) {
+    const Library library(names,
+                          "the software OpenGL library OSMesa was not found; install the package "
+                          "libosmesa6 to draw pictures",
+                          "is too old to make an OpenGL 3.3 context; install the package "
+                          "libosmesa6 (Mesa 12 or later)");
+    return make_osmesa(OsMesa(library), library.name(), nullptr);
 }
 
 // Constants of the EGL interface (EGL/egl.h, EGL/eglext.h).
@@ -224,11 +237,20 @@ std::vector<Place> places_of(const Egl& egl) {
     return places;
 }
 
-/// The display of a place, and a context on it; both null where the place gives none. EGL displays
-/// are shared by all users of one place, so they are never closed.
+/// The display of a place with a form of its pixels, and a context on it; all null where the place
+/// gives none. EGL displays are shared by all users of one place, so they are never closed.
 struct EglContext {
-    EglHandle display = nullptr, context = nullptr;
+    EglHandle display = nullptr, config = nullptr, context = nullptr;
 };
+
+/// A context of the highest version, which shares the objects of another (null: of none).
+EglHandle highest_context(const Egl& egl, EglHandle display, EglHandle config, EglHandle shared) {
+    return create_highest([&](int major, int minor) {
+        const EglInt attributes[] = {major_version,    major, minor_version, minor, profile_mask,
+                                     core_profile_bit, none};
+        return egl.create_context(display, config, shared, attributes);
+    });
+}
 
 EglContext make_context(const Egl& egl, const Place& place) {
     const EglHandle display = egl.platform_display(place.platform, place.device, nullptr);
@@ -240,12 +262,29 @@ EglContext make_context(const Egl& egl, const Place& place) {
     EglHandle config = nullptr;
     EglInt count = 0;
     if (!egl.choose_config(display, wanted, &config, 1, &count) || count < 1) return {};
-    return {display, create_highest([&](int major, int minor) {
-                const EglInt attributes[] = {major_version, major,        minor_version,
-                                             minor,         profile_mask, core_profile_bit,
-                                             none};
-                return egl.create_context(display, config, nullptr, attributes);
-            })};
+    return {display, config, highest_context(egl, display, config, nullptr)};
+}
+
+Made made_egl(const Egl& egl, const std::string& library, const std::string& place,
+              const EglContext& of) {
+    const auto make_current = [egl, of] {
+        egl.bind_api(opengl_api);
+        return egl.make_current(of.display, nullptr, nullptr, of.context) != 0;
+    };
+    const auto release = [egl, of] { egl.make_current(of.display, nullptr, nullptr, nullptr); };
+    const auto destroy = [egl, of, release](void* dead) {
+        if (egl.current_context() == dead) release();
+        egl.destroy_context(of.display, dead);
+    };
+    const auto share = [egl, library, place, of](void* with) {
+        egl.bind_api(opengl_api);
+        EglContext other = of;
+        other.context = highest_context(egl, of.display, of.config, with);
+        if (other.context == nullptr)
+            throw Error(ExitCode::unsupported, library + " gives no second context");
+        return made_egl(egl, library, place, other);
+    };
+    return {library, place, egl.get_proc, make_current, release, share, {of.context, destroy}};
 }
 
 Made make_egl(std::span<const char* const> names) {
@@ -256,17 +295,8 @@ Made make_egl(std::span<const char* const> names) {
     const Egl egl(library);
     const std::vector<Place> places = places_of(egl);
     for (const Place& place : places) {
-        const auto [display, context] = make_context(egl, place);
-        if (context == nullptr) continue;
-        const auto make_current = [egl, on = display, made = context] {
-            egl.bind_api(opengl_api);
-            return egl.make_current(on, nullptr, nullptr, made) != 0;
-        };
-        const auto destroy = [egl, on = display](void* dead) {
-            if (egl.current_context() == dead) egl.make_current(on, nullptr, nullptr, nullptr);
-            egl.destroy_context(on, dead);
-        };
-        return {library.name(), place.name, egl.get_proc, make_current, {context, destroy}};
+        const EglContext made = make_context(egl, place);
+        if (made.context != nullptr) return made_egl(egl, library.name(), place.name, made);
     }
     throw Error(ExitCode::unsupported,
                 fmt::format("none of the {} devices and platforms of {} gives an OpenGL 3.3 core "

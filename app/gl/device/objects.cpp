@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/gl/device/literals.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -49,7 +50,7 @@ class Shader {
     Shader(const GladGLContext& gl, GLenum kind, const std::string& name,
            const ShaderSource& source)
         : gl_(gl), shader_(gl.CreateShader(kind)) {
-        const std::string whole = source.text();
+        const std::string whole = with_exact_literals(source.text());
         const char* text = whole.data();
         const auto length = GLint(whole.size());
         gl_.ShaderSource(shader_, 1, &text, &length);

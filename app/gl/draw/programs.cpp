@@ -29,7 +29,8 @@ GlProgram scene_program(const GladGLContext& gl, ShaderSource fragment) {
     return {gl, "the scene", ShaderSource().add("draw/mesh.vert"), fragment};
 }
 
-ShaderSource fragment_source(const GlScenePrograms::Look& look) {
+/// The macros of a look, as draw/mesh.frag and draw/coarse.vert tell.
+ShaderSource macros_of(const GlScenePrograms::Look& look) {
     ShaderSource source;
     source.define("ENCODED", word(look.encoded)).define("LIT", word(look.lit));
     source.define("AMBIENT", word(look.ambient)).define("TONE", word(look.tone));
@@ -41,7 +42,12 @@ ShaderSource fragment_source(const GlScenePrograms::Look& look) {
     source.define("TRANSMITS", word(look.transmits)).define("ONE_ORM", word(look.one_orm));
     for (std::size_t i = 0; i < map_names.size(); ++i)
         source.define("HAS_" + upper(map_names[i]), word((look.maps >> i & 1u) != 0));
-    return source.add("maps/footprint.glsl")
+    return source;
+}
+
+ShaderSource fragment_source(const GlScenePrograms::Look& look) {
+    return macros_of(look)
+        .add("maps/footprint.glsl")
         .add("maps/level_size.glsl")
         .add("color/srgb_encode.glsl")
         .add("draw/tone.glsl")
@@ -51,12 +57,28 @@ ShaderSource fragment_source(const GlScenePrograms::Look& look) {
         .add("draw/mesh.frag");
 }
 
+/// A program that shades vertices and not pixels.
+GlProgram coarse_program(const GladGLContext& gl, const GlScenePrograms::Look& look) {
+    return {gl, "the coarse scene",
+            macros_of(look)
+                .add("color/srgb_encode.glsl")
+                .add("draw/tone.glsl")
+                .add("draw/coarse_lookup.glsl")
+                .add("draw/light.glsl")
+                .add("draw/material.glsl")
+                .add("draw/coarse.vert"),
+            ShaderSource().add("draw/coarse.frag")};
+}
+
+GlProgram program_of(const GladGLContext& gl, const GlScenePrograms::Look& look) {
+    return look.coarse ? coarse_program(gl, look) : scene_program(gl, fragment_source(look));
+}
+
 }  // namespace
 
 const GlProgram& GlScenePrograms::use(const Look& look) {
     auto found = looks_.find(look);
-    if (found == looks_.end())
-        found = looks_.emplace(look, scene_program(gl_, fragment_source(look))).first;
+    if (found == looks_.end()) found = looks_.emplace(look, program_of(gl_, look)).first;
     const GlProgram& program = found->second;
     program.use();
     program.set("ambient", float(ambient));

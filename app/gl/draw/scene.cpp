@@ -114,6 +114,7 @@ void GlScene::make_textures(const Scene& scene, std::optional<TextureFilter> fil
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         filters_.push_back(drawn_filter(scene, int(i), filter));
         textures_.push_back(burl::upload(gl_, scene.textures[i], filters_.back()));
+        lent_.push_back(nullptr);
     }
     white_ = burl::upload(gl_, {Image<Rgb8>(1, 1, {255, 255, 255})}, TextureFilter::nearest);
 }
@@ -133,12 +134,18 @@ void GlScene::set_texture(int number, const SceneTexture& texture) {
     textures_[n] = burl::upload(gl_, texture, filters_[n]);
 }
 
+void GlScene::lend_texture(int number, const GlTexture* lent) {
+    lent_[std::size_t(number)] = lent;
+}
+
 void GlScene::set_material(const SceneMaterial& material) {
     for (GlSurface& surface : surfaces_) surface.set_material(material);
+    for (GlSurface& surface : coarse_) surface.set_material(material);
 }
 
 void GlScene::set_target_share(double share) {
     for (GlSurface& surface : surfaces_) surface.set_target_share(share);
+    for (GlSurface& surface : coarse_) surface.set_target_share(share);
 }
 
 void GlScene::clear(const SampleTile& tile, const Vec4f& color) const {
@@ -150,16 +157,15 @@ void GlScene::clear(const SampleTile& tile, const Vec4f& color) const {
 
 /// Binds a texture of the scene, or a white one for a negative number.
 void GlScene::bind(GLenum unit, int number) const {
-    const GlTexture& texture = number < 0 ? white_ : textures_[std::size_t(number)];
     gl_.ActiveTexture(unit);
-    gl_.BindTexture(GL_TEXTURE_2D, texture.get());
+    gl_.BindTexture(GL_TEXTURE_2D, (number < 0 ? white_ : texture(number)).get());
 }
 
 void GlScene::draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                   const GlShading& shading) const {
+                   const GlShading& shading, const DrawPart& part) const {
     gl_.Viewport(0, 0, tile.width, tile.height);
     gl_.Enable(GL_DEPTH_TEST);
-    draw_surfaces(TileView(camera, samples, tile), {}, shading, Drawn::solid);
+    draw_surfaces(TileView(camera, samples, tile), {}, shading, Drawn::solid, part);
 }
 
 bool GlScene::has_layers() const {
@@ -201,6 +207,34 @@ void GlScene::draw_encoded(const Camera& camera, const PictureSize& samples, con
                   shading, Drawn::all);
 }
 
+void GlScene::set_coarse(const std::vector<Surface>& surfaces, std::span<const Mat4d> frames) {
+    coarse_.clear();
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        GlSurface& made = coarse_.emplace_back(gl_, surfaces[i], frames[i]);
+        made.set_material(surfaces_[i].material());
+        made.upload(gl_, surfaces[i], std::numeric_limits<std::size_t>::max());
+    }
+}
+
+bool GlScene::has_coarse() const {
+    const auto is_opaque = [](const GlSurface& one) {
+        return one.material().alpha == SceneAlpha::opaque;
+    };
+    return !coarse_.empty() && std::ranges::all_of(coarse_, is_opaque);
+}
+
+void GlScene::draw_coarse(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                          const GlShading& shading) const {
+    clear(tile, background_codes());
+    GlScenePrograms::Look look{.encoded = true, .coarse = true};
+    look.tone = shading.tone_curve;
+    look.lit = shading.lit;
+    look.ambient = shading.light != nullptr;
+    for (const GlSurface& surface : coarse_)
+        draw_surface(surface, TileView(camera, samples, tile), look, shading);
+    check_gl(gl_, "drawing coarsely");
+}
+
 Vec4f GlScene::background_codes() {
     return Vec4f(background_srgb.r, background_srgb.g, background_srgb.b, 255.0f) / 255.0f;
 }
@@ -217,9 +251,12 @@ bool GlScene::has_places() const {
 }
 
 void GlScene::draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                          bool lit) const {
-    clear(tile, Vec4f(0.0f));
-    draw_surfaces(TileView(camera, samples, tile), {.places = true}, {.lit = lit}, Drawn::all);
+                          bool lit, const DrawPart& part) const {
+    if (part.number == 0) clear(tile, Vec4f(0.0f));
+    gl_.Viewport(0, 0, tile.width, tile.height);
+    gl_.Enable(GL_DEPTH_TEST);
+    draw_surfaces(TileView(camera, samples, tile), {.places = true}, {.lit = lit}, Drawn::all,
+                  part);
 }
 
 bool GlScene::has_levels(const GlSurface& surface) const {
@@ -279,18 +316,22 @@ void GlScene::bind_material(const GlProgram& program, const SceneMaterial& mater
 
 /// Draws these surfaces; `look` holds the properties that depend on neither surface nor light.
 void GlScene::draw_surfaces(const TileView& view, GlScenePrograms::Look look,
-                            const GlShading& shading, Drawn drawn) const {
+                            const GlShading& shading, Drawn drawn, const DrawPart& part) const {
     look.lit = shading.lit;
     look.ambient = shading.light != nullptr;
-    for (const GlSurface& surface : surfaces_) {
-        if (!draws(surface, drawn)) continue;
-        const GlProgram& program = programs_->use(look_of(surface, look));
-        if (shading.light) shading.light->use(program);
-        program.set("exposure", shading.exposure);
-        bind_material(program, surface.material());
-        surface.draw(gl_, program, view);
-    }
+    for (const GlSurface& surface : surfaces_)
+        if (draws(surface, drawn)) draw_surface(surface, view, look, shading, part);
     check_gl(gl_, "drawing");
+}
+
+void GlScene::draw_surface(const GlSurface& surface, const TileView& view,
+                           const GlScenePrograms::Look& look, const GlShading& shading,
+                           const DrawPart& part) const {
+    const GlProgram& program = programs_->use(look_of(surface, look));
+    if (shading.light) shading.light->use(program);
+    program.set("exposure", shading.exposure);
+    bind_material(program, surface.material());
+    surface.draw(gl_, program, view, part);
 }
 
 void GlScene::draw_lookups(const Camera& camera, const PictureSize& samples, const SampleTile& tile,

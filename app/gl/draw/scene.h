@@ -41,20 +41,26 @@ class GlScene {
 
     /// Replaces the pixels of texture `number`; its filter stays.
     void set_texture(int number, const SceneTexture& texture);
+    /// Has texture `number` be one that somebody else owns, with a filter of its own; null: none.
+    void lend_texture(int number, const GlTexture* lent);
 
     /// Replaces the material of all surfaces.
     void set_material(const SceneMaterial& material);
     /// Sets the weight, 0..1, of the morph targets of all surfaces that have one.
     void set_target_share(double share);
 
-    const GlTexture& texture(int number) const { return textures_[std::size_t(number)]; }
+    const GlTexture& texture(int number) const {
+        const GlTexture* const lent = lent_[std::size_t(number)];
+        return lent ? *lent : textures_[std::size_t(number)];
+    }
 
     /// Clears a tile of the bound framebuffer to a colour.
     void clear(const SampleTile& tile, const Vec4f& color) const;
     /// Draws a tile of the picture in linear light into the bound framebuffer, over what it shows;
-    /// its depth must be cleared. Alpha is 1. Surfaces that blend are left to draw_layer().
+    /// its depth must be cleared. Alpha is 1. Surfaces that blend are left to draw_layer(). All
+    /// parts, one after the other, are the picture.
     void draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-              const GlShading& shading) const;
+              const GlShading& shading, const DrawPart& part = {}) const;
 
     /// Whether a surface blends with what lies behind it.
     bool has_layers() const;
@@ -73,14 +79,24 @@ class GlScene {
     void draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                       const GlShading& shading) const;
 
+    /// Sets surfaces that stand for the scene's own while it moves (app/scene/coarse_surface.h),
+    /// with the frames of those; none: they are dropped.
+    void set_coarse(const std::vector<Surface>& surfaces, std::span<const Mat4d> frames);
+    /// Whether there are such surfaces, and all is opaque.
+    bool has_coarse() const;
+    /// Draws a tile as draw_encoded() does, of the coarse surfaces, shaded at their vertices.
+    void draw_coarse(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                     const GlShading& shading) const;
+
     /// The background colour in sRGB codes of 0..1.
     static Vec4f background_codes();
     /// Whether draw_places() applies: all surfaces show the same texture with MIP levels, without
     /// normal map, colour factor, vertex colours or blocks.
     bool has_places() const;
     /// Draws a tile of lookups of the surfaces' one texture: u, v, level and light of every sample.
+    /// The first part clears the tile.
     void draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
-                     bool lit) const;
+                     bool lit, const DrawPart& part = {}) const;
 
     /// Draws a tile of lookups of texture `number` (LookupSample, app/gl/draw/view_texels.h), whose
     /// side is `size` texels whatever was uploaded.
@@ -96,14 +112,18 @@ class GlScene {
     GlScenePrograms::Look look_of(const GlSurface& surface, GlScenePrograms::Look look) const;
     void bind_material(const GlProgram& program, const SceneMaterial& material) const;
     void draw_surfaces(const TileView& view, GlScenePrograms::Look look, const GlShading& shading,
-                       Drawn drawn) const;
+                       Drawn drawn, const DrawPart& part = {}) const;
+    void draw_surface(const GlSurface& surface, const TileView& view,
+                      const GlScenePrograms::Look& look, const GlShading& shading,
+                      const DrawPart& part = {}) const;
 
     const GladGLContext& gl_;
     std::shared_ptr<GlScenePrograms> programs_;
     GlTexture white_;
     std::vector<GlTexture> textures_;
+    std::vector<const GlTexture*> lent_;  ///< in the place of textures_; null: none
     std::vector<TextureFilter> filters_;  ///< one per texture
-    std::vector<GlSurface> surfaces_;
+    std::vector<GlSurface> surfaces_, coarse_;
     std::size_t uploaded_ = 0;  ///< the number of surfaces that are uploaded completely
 };
 

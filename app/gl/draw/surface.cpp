@@ -185,8 +185,12 @@ void GlSurface::upload_target(const GladGLContext& gl, const SurfaceTarget& targ
     check_gl(gl, "uploading a target");
 }
 
-void GlSurface::draw(const GladGLContext& gl, const GlProgram& program,
-                     const TileView& view) const {
+void GlSurface::draw(const GladGLContext& gl, const GlProgram& program, const TileView& view,
+                     const DrawPart& part) const {
+    const auto before = [&](int number) {
+        return GLsizei(std::int64_t(triangles()) * number / part.count);
+    };
+    const GLsizei first = before(part.number), end = before(part.number + 1);
     gl.BindVertexArray(vertex_array_.get());
     set_constants(gl);
     program.set("target_share", float(changes_ ? target_share_ : 0.0));
@@ -196,7 +200,8 @@ void GlSurface::draw(const GladGLContext& gl, const GlProgram& program,
         program.set("clip_from_local", glm::mat4(view.clip_from_eye * eye_from_local));
         program.set("eye_from_local", glm::mat4(eye_from_local));
         program.set("normal_from_local", normal_matrix(eye_from_local));
-        gl.DrawElements(GL_TRIANGLES, 3 * triangles(), GL_UNSIGNED_INT, nullptr);
+        gl.DrawElements(GL_TRIANGLES, 3 * (end - first), GL_UNSIGNED_INT,
+                        reinterpret_cast<const void*>(std::size_t(first) * sizeof(Triangle)));
     }
 }
 

@@ -26,6 +26,11 @@ struct TileView {
     Mat4d eye_from_scene, clip_from_eye;
 };
 
+/// One of so many parts of a surface's triangles, which are drawn one after the other.
+struct DrawPart {
+    int number = 0, count = 1;
+};
+
 /// The vertex arrays of a surface.
 class GlSurface {
   public:
@@ -37,8 +42,10 @@ class GlSurface {
     /// all is uploaded.
     bool upload(const GladGLContext& gl, const Surface& surface, std::size_t bytes);
 
-    /// Draws all placements with the program in use, which has the uniforms of mesh.vert.
-    void draw(const GladGLContext& gl, const GlProgram& program, const TileView& view) const;
+    /// Draws a part of the triangles in all placements with the program in use, which has the
+    /// uniforms of mesh.vert.
+    void draw(const GladGLContext& gl, const GlProgram& program, const TileView& view,
+              const DrawPart& part = {}) const;
 
     /// Sets the weight of the surface's morph target, if it has one.
     void set_target_share(double share) { target_share_ = share; }

@@ -22,6 +22,7 @@ GlProgram make_pass(GlContext& context, bool even, bool gutters, bool float64) {
                                         .define_real(float64)
                                         .define("EVEN", even ? "1" : "0")
                                         .define("GUTTERS", gutters ? "1" : "0")
+                                        .add("numbers/real.glsl")
                                         .add("maps/level.frag"));
 }
 

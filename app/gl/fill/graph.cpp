@@ -25,10 +25,10 @@ GlBufferTexture table_of(const GladGLContext& gl, const GlslTable& table, GlslRe
     return {gl, GL_RG32UI, std::as_bytes(std::span(table.numbers))};
 }
 
-/// The fragment shader of a graph's text.
-template <class Pixel>
-ShaderSource shader_of(const GlslTexture& texture, FilterKind kind, bool float64,
-                       GlColorTables& colors) {
+/// The fragment shader of a graph's text but for its last part, and the expression of a texel's
+/// colour for that.
+std::pair<ShaderSource, std::string> shader_of(const GlslTexture& texture, FilterKind kind,
+                                               bool float64) {
     ShaderSource source;
     source.define_real(float64);
     const std::span parts(texture.parts);
@@ -47,8 +47,7 @@ ShaderSource shader_of(const GlslTexture& texture, FilterKind kind, bool float64
         source.add("maps/texel_line.glsl").add("graph/footprint.glsl");
         color = "footprint_color(texel)";
     }
-    add_color_output<Pixel>(colors, source, color);
-    return source;
+    return {std::move(source), color};
 }
 
 }  // namespace
@@ -97,10 +96,8 @@ const GlTexture& GlGraphPass::image_texture(const std::shared_ptr<const MipImage
     return images_.back().texture;
 }
 
-template <class Pixel>
-ShaderSource GlGraphPass::set(const SolidAtlas& solid, const TextureGraph& graph,
-                              const Affine3& texture_from_atlas, int threads,
-                              const Filter& filter) {
+void GlGraphPass::set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas, int threads,
+                            const Filter& filter) {
     if (solid_ != &solid) forget_atlas();
     if (texture_from_atlas != texture_from_atlas_) points_.forget_atlas();
     solid_ = &solid;
@@ -108,14 +105,42 @@ ShaderSource GlGraphPass::set(const SolidAtlas& solid, const TextureGraph& graph
     threads_ = threads;
     filter_ = filter;
     points_.set_atlas(solid, std::nullopt, threads);
-    texture_ = nodes_filter(filter.kind) ? glsl_filtered_graph(graph, filter, real())
-                                         : glsl_graph(graph, real());
+}
+
+/// Makes the textures that texture_ reads.
+void GlGraphPass::make_inputs() {
     for (const GlslImage& image : texture_.images) image_texture(image.pixels);
     tables_.clear();
     for (const GlslTable& table : texture_.tables) tables_.push_back(table_of(*gl_, table, real()));
+}
+
+template <class Pixel>
+ShaderSource GlGraphPass::set(const SolidAtlas& solid, const TextureGraph& graph,
+                              const Affine3& texture_from_atlas, int threads,
+                              const Filter& filter) {
+    set_atlas(solid, texture_from_atlas, threads, filter);
+    texture_ = nodes_filter(filter.kind) ? glsl_filtered_graph(graph, filter, real())
+                                         : glsl_graph(graph, real());
+    make_inputs();
     if constexpr (std::is_same_v<Pixel, Rgb8>)
         if (!codes8_) codes8_.emplace(srgb8_table(*gl_));
-    return shader_of<Pixel>(texture_, filter.kind, float64_, colors_);
+    auto [source, color] = shader_of(texture_, filter.kind, float64_);
+    add_color_output<Pixel>(colors_, source, color.c_str());
+    return std::move(source);
+}
+
+ShaderSource GlGraphPass::set_material(
+    const SolidAtlas& solid, const TextureGraph& graph, const Affine3& texture_from_atlas,
+    const Filter& filter, const std::function<std::string(const std::string&)>& outputs) {
+    set_atlas(solid, texture_from_atlas, 0, filter);
+    texture_ = nodes_filter(filter.kind) ? glsl_filtered_graph(graph, filter, real())
+                                         : glsl_material(graph, {}, real());
+    make_inputs();
+    if (!codes8_) codes8_.emplace(srgb8_table(*gl_));
+    auto [source, color] = shader_of(texture_, filter.kind, float64_);
+    add_srgb8(source);
+    source.add("outputs", outputs(color));
+    return std::move(source);
 }
 
 std::shared_ptr<const GlPointMap> GlGraphPass::set_tile(const GlTile& tile) {

@@ -3,6 +3,7 @@
 // each texel's colour at its centre, as the mean over the texel by the nodes' own filters, or as
 // the weighted mean of several samples. Solid points come from a point map, or from the texels'
 // spans.
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,13 @@ class GlGraphPass {
     template <class Pixel>
     ShaderSource set(const SolidAtlas& solid, const TextureGraph& graph,
                      const Affine3& texture_from_atlas, int threads, const Filter& filter);
+    /// Sets the same for a whole material, unfiltered where has_glsl_planes(), and returns a shader
+    /// that ends with what `outputs` returns for the expression of a texel's base colour; it may
+    /// call `uint srgb8(real)`, solid_point() where the filter is none, and what glsl_material()
+    /// defines.
+    ShaderSource set_material(const SolidAtlas& solid, const TextureGraph& graph,
+                              const Affine3& texture_from_atlas, const Filter& filter,
+                              const std::function<std::string(const std::string&)>& outputs);
     /// Sets the tile of the next draw: makes its point map or its spans where they are not kept.
     /// Returns the point map; null where the filter reads spans.
     std::shared_ptr<const GlPointMap> set_tile(const GlTile& tile);
@@ -47,6 +55,9 @@ class GlGraphPass {
         std::shared_ptr<const MipImage> pixels;
         GlTexture texture;
     };
+    void set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas, int threads,
+                   const Filter& filter);
+    void make_inputs();
     GlslReal real() const { return float64_ ? GlslReal::float64 : GlslReal::float32; }
     const GlTexture& image_texture(const std::shared_ptr<const MipImage>& pixels);
 

@@ -16,27 +16,10 @@ GLenum format_of_images(PassPrecision precision) {
     return precision == PassPrecision::fixed8 ? GL_RGBA8 : GL_RGBA32F;
 }
 
-/// The passes as functions NAME_pass() of shaders/passes.
-constexpr std::pair<PassKind, const char*> pass_names[] = {{PassKind::cells, "cells"},
-                                                           {PassKind::places, "places"},
-                                                           {PassKind::solid_map, "solid_map"},
-                                                           {PassKind::step, "step"},
-                                                           {PassKind::copy, "copy"},
-                                                           {PassKind::transfer, "transfer"},
-                                                           {PassKind::combine, "combine"},
-                                                           {PassKind::multiply, "multiply"},
-                                                           {PassKind::isolate, "isolate"},
-                                                           {PassKind::shift_left, "shift_left"},
-                                                           {PassKind::blend_bit, "blend_bit"},
-                                                           {PassKind::hash, "hash"},
-                                                           {PassKind::axis_table, "axis_table"},
-                                                           {PassKind::value_table, "value_table"},
-                                                           {PassKind::weigh, "weigh"},
-                                                           {PassKind::field_index, "field_index"}};
-
+/// The pass as a function NAME_pass() of shaders/passes.
 std::string name_of(PassKind kind, bool integers) {
     if (kind == PassKind::copy && integers) return "copy_integers";
-    return std::ranges::find(pass_names, kind, &std::pair<PassKind, const char*>::first)->second;
+    return std::string(to_string(kind));
 }
 
 glm::uvec2 words_of(double x) {
@@ -46,6 +29,26 @@ glm::uvec2 words_of(double x) {
 
 glm::uvec3 vector_of(const std::array<std::uint32_t, 3>& v) {
     return {v[0], v[1], v[2]};
+}
+
+/// How numbers of an image become codes from 0 to 1.
+struct Shown {
+    float scale = 1.0f, bias = 0.0f;
+};
+
+/// Images of signed numbers are shown about 1/2; the bytes of fixed8 hold them so already.
+Shown shown_as(PassImage image, PassPrecision precision) {
+    const bool is_signed = image == PassImage::corner || image == PassImage::noise ||
+                           image == PassImage::sum || image == PassImage::mixed;
+    return is_signed && precision != PassPrecision::fixed8 ? Shown{0.5f, 0.5f} : Shown{};
+}
+
+/// The passes up to the one that draws as number `count`, from 1 on; all where there are fewer.
+std::span<const Pass> first_passes(std::span<const Pass> passes, std::size_t count) {
+    std::size_t drawn = 0, end = 0;
+    while (end < passes.size() && drawn < count)
+        drawn += passes[end++].kind != PassKind::fill ? 1 : 0;
+    return passes.first(end);
 }
 
 enum Unit { first_unit, second_unit, cells_unit, places_unit, tables_unit };
@@ -277,6 +280,65 @@ void GlMultipassSynthesis::synthesize(const SolidAtlas& solid, const Texture& te
     tiles_.fill(solid, threads, image, ready, draw);
     maps_.drop_unused();
     work.maps = maps_.made() - made;
+}
+
+/// Draws the image that a pass made.
+void GlMultipassSynthesis::draw_image(const Pass& pass, const std::function<void()>& begin) {
+    const bool integers = holds_integers(pass.target, options_.precision);
+    ShaderSource source;
+    source.define("INTEGERS", integers ? "1" : "0").add("passes/show.frag");
+    const GlProgram& program = tiles_.program("the view of a pass", source);
+    const Shown shown = shown_as(pass.target, options_.precision);
+    bind_texture(tiles_.gl(), 0, passes_.image(pass.target).texture());
+    begin();
+    program.use();
+    program.set("first", 0);
+    program.set("scale", shown.scale);
+    program.set("bias", shown.bias);
+    tiles_.full_screen().draw();
+}
+
+/// Draws the colours of the index.
+void GlMultipassSynthesis::draw_colors(const std::function<void()>& begin) {
+    ShaderSource source = passes_.source();
+    source.add("passes/field.glsl");
+    colors_.add_codes(source);
+    source.add("output",
+               "layout(location = 0) out vec4 color;\n"
+               "void main() {\n"
+               "    uint code = color_code(field(ivec2(gl_FragCoord.xy)));\n"
+               "    color = vec4(uvec4(code, code >> 8, code >> 16, 255u) & 255u) / 255.0;\n"
+               "}\n");
+    const GlProgram& program = tiles_.program("the colour pass", source);
+    begin();
+    program.use();
+    colors_.bind_codes(program, 1);
+    bind_texture(tiles_.gl(), program, "first", 0, passes_.image(PassImage::index).texture());
+    tiles_.full_screen().draw();
+}
+
+std::optional<Pass> GlMultipassSynthesis::show(const SolidAtlas& solid, const Texture& texture,
+                                               const Affine3& texture_from_atlas, std::size_t count,
+                                               const std::function<void()>& begin) {
+    tiles_.begin([&] { return problem(texture); });
+    make_plan(solid, texture, texture_from_atlas);
+    maps_.set_atlas(solid, texture_from_atlas, 0);
+    colors_.set_map(texture.colors);
+    const GlTile whole{{0, 0}, GlSize(int(solid.size))};
+    const Maps maps = maps_of(texture.quadric, whole);
+    std::vector<const GlLatticeMap*> sources;
+    for (const auto& map : maps) sources.push_back(map.get());
+    passes_.set_plan(plan_, whole.size);
+    const std::span<const Pass> run = first_passes(plan_.passes, count);
+    passes_.run(sources, run);
+    maps_.drop_unused();
+    const bool all = count > count_passes(plan_.passes);
+    if (all)
+        draw_colors(begin);
+    else
+        draw_image(run.back(), begin);
+    check_gl(tiles_.gl(), "showing a pass");
+    return all ? std::nullopt : std::optional(run.back());
 }
 
 template void GlMultipassSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&,

@@ -6,7 +6,9 @@
 // passes read both images and draw a third. So numbers are rounded as shaders round, which IEEE 754
 // defines, and nothing is copied. At 32f the colour map's index agrees with the host's to 2e-6 (for
 // a sum of amplitudes up to 1); 16f and 8 are limited by the images' precision.
+#include <functional>
 #include <map>
+#include <optional>
 
 #include "app/gl/fill/lattice_map.h"
 #include "app/gl/fill/synthesize.h"
@@ -68,6 +70,16 @@ class GlMultipassSynthesis {
     template <class Pixel>
     void synthesize(const SolidAtlas& solid, const Texture& texture,
                     const Affine3& texture_from_atlas, int threads, Image<Pixel>& image);
+    /// Runs the first `count` passes that draw, or all with the colour's where there are fewer,
+    /// over the whole texture, and draws what the last one made into the bound framebuffer through
+    /// `begin`, which is called right before that draw: colours as sRGB codes from 0 to 1, numbers
+    /// from 0 to 1 as they are, signed ones about 1/2, whole numbers by their lower 8 bits. Returns
+    /// the pass; none for the colour's. Throws Error as synthesize() does.
+    std::optional<Pass> show(const SolidAtlas& solid, const Texture& texture,
+                             const Affine3& texture_from_atlas, std::size_t count,
+                             const std::function<void()>& begin);
+    /// The number of passes of the last synthesis or show that draw, the colour's included.
+    std::size_t passes() const { return count_passes(plan_.passes) + 1; }
     /// Drops everything about the atlas of earlier calls; must be called before it changes or is
     /// destroyed.
     void forget_atlas() { maps_.forget_atlas(); }
@@ -85,6 +97,8 @@ class GlMultipassSynthesis {
     void make_plan(const SolidAtlas& solid, const Texture& texture,
                    const Affine3& texture_from_atlas);
     Maps maps_of(const Quadric& quadric, const GlTile& tile);
+    void draw_image(const Pass& pass, const std::function<void()>& begin);
+    void draw_colors(const std::function<void()>& begin);
 
     GlTileLoop tiles_;
     MultipassOptions options_;

@@ -131,13 +131,17 @@ struct GlOutput<float> {
     static float pixel(const Component* c) { return *c; }
 };
 
+/// Adds `uint srgb8(real light)`, which reads srgb8_table() as srgb8_buckets.
+inline void add_srgb8(ShaderSource& source) {
+    source.define("SRGB8_BUCKETS", fmt::format("{}.0", SrgbStreamEncoder::bucket_count))
+        .add("color/srgb8.glsl");
+}
+
 /// Adds the encoder's part and the last part of a shader that writes `color`, an expression of
 /// `texel` in linear light.
 template <class Pixel>
 void add_color_output(GlColorTables& colors, ShaderSource& source, const char* color) {
-    if constexpr (std::is_same_v<Pixel, Rgb8>)
-        source.define("SRGB8_BUCKETS", fmt::format("{}.0", SrgbStreamEncoder::bucket_count))
-            .add("color/srgb8.glsl");
+    if constexpr (std::is_same_v<Pixel, Rgb8>) add_srgb8(source);
     if constexpr (std::is_same_v<Pixel, Rgb16>) colors.add_srgb16(source);
     source.add("output", fmt::format("real3 color_at(ivec2 texel) {{ return {}; }}\n", color) +
                              GlOutput<Pixel>::color_text);

@@ -84,7 +84,7 @@ TEST_F(GlEmitTest, ColourMapsOfManyStopsBecomeConstants) {
     stops.clear();
     for (int i = 0; i < 300; ++i)
         stops.push_back({i / 300.0, {std::uint8_t(i % 2), std::uint8_t(i / 2), 100}});
-    EXPECT_THAT(emit_glsl(recipe, {}).text, HasSubstr("const float color_map"));
+    EXPECT_THAT(emit_glsl(recipe, {}).text, HasSubstr("const vec4 color_map"));
     EXPECT_LE(texels_away(recipe), 20);
 }
 

@@ -172,7 +172,7 @@ TEST_F(GlEditEaseTest, TheUpAxisIsOfTheMeshAndKept) {
         options.gallery = false;
         options.preferences = folder / "preferences.json";
         auto editor = std::make_unique<EditorProgram>(
-            create_unseen_window(create_osmesa_context(), {800, 640}), options);
+            create_unseen_window(create_test_context(), {800, 640}), options);
         play(*editor, settle);
         return editor;
     };

@@ -26,7 +26,7 @@ class GlEditFilesTest : public GlEditProgramTest {
         options.gallery = gallery;
         options.autosave = folder / "autosave.json";
         auto editor = std::make_unique<EditorProgram>(
-            create_unseen_window(create_osmesa_context(), {800, 640}), options);
+            create_unseen_window(create_test_context(), {800, 640}), options);
         play(*editor, settle);
         return editor;
     }

@@ -260,7 +260,7 @@ TEST_F(GlEditFilesTest, ABadFileDroppedBeforeTheFirstMeshIsThereEndsNothing) {
     options.mesh = "sample:cube";
     options.recipe = folder / "r.json";
     options.gallery = false;
-    EditorProgram editor(create_unseen_window(create_osmesa_context(), {400, 320}), options);
+    EditorProgram editor(create_unseen_window(create_test_context(), {400, 320}), options);
     InputEvent drop{InputKind::drop};
     drop.files = {folder / "bad.obj"};
     editor.frame({drop});

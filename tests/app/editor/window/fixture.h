@@ -20,7 +20,7 @@ class GlEditProgramTest : public GlTest {
         options.settings = {"atlas.size=64", "atlas.tries=1"};
         options.autosave = autosave;
         options.gallery = false;  // thumbnails take longer than most tests
-        if (!context) context = create_osmesa_context();
+        if (!context) context = create_test_context();
         auto editor = std::make_unique<EditorProgram>(
             create_unseen_window(std::move(context), {800, 640}), options);
         play(*editor, R"({"settle": true}, {"wait": 2})");

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
+#include "app/light/environment.h"
+#include "app/light/prefilter.h"
 #include "app/recipe/recipe.h"
 #include "app/surface/sample_meshes.h"
 #include "tests/app/gl/device/fixture.h"
@@ -83,6 +86,104 @@ TEST_F(GlEditObjectTest, SoDoesThatOfAQuadAtlas) {
     make("atlas.kind=quad", {"0.2", "0.5"});
     EXPECT_FALSE(GlScene(context->gl(), surface->scene).has_places());
     expect_frames_as_fresh();
+}
+
+TEST_F(GlEditObjectTest, AMovementThatWasPreparedLooksAsOneThatWasNot) {
+    make("atlas.kind=patch", {"0.2", "0.5"});
+    ObjectViewOptions still;
+    still.size = {96, 80};
+    still.supersample = 2;
+    ObjectViewOptions moving = still;
+    moving.supersample = 1;
+    moving.coarse = true;
+    GlEditObject object(context->gl());
+    object.show(surface, pictures[0]);
+    object.draw(still);
+    const std::vector<std::uint8_t> before = texels(object);
+    for (int i = 0; i < 3; ++i) object.prepare(moving);
+    EXPECT_EQ(texels(object), before);
+    object.show(surface, pictures[1]);
+    object.draw(moving);
+    EXPECT_EQ(texels(object), fresh(1, moving));
+    moving.half = true;
+    object.draw(moving);
+    EXPECT_EQ(object.target()->size(), glm::ivec2(48, 40));
+    EXPECT_EQ(texels(object), fresh(1, moving));
+    object.draw(still);
+    EXPECT_EQ(texels(object), fresh(1, still));
+}
+
+/// A view of so many samples that it is drawn in parts.
+TEST_F(GlEditObjectTest, PartsMakeTheWhole) {
+    make("atlas.kind=patch", {"0.2", "0.5"});
+    ObjectViewOptions options;
+    options.size = {640, 560};
+    GlEditObject object(context->gl());
+    object.show(surface, pictures[0]);
+    object.draw(options);
+    const std::vector<std::uint8_t> rough = texels(object);
+    options.supersample = 2;
+    int calls = 0;
+    do {
+        object.draw(options);
+        ++calls;
+        if (object.drawing()) {
+            EXPECT_FALSE(object.drew());
+            EXPECT_EQ(texels(object), rough) << "what was drawn before is shown until then";
+        }
+        if (calls == 1) object.show(surface, pictures[1]);  // begins anew
+    } while (object.drawing());
+    EXPECT_TRUE(object.drew());
+    EXPECT_GT(calls, 3);
+    EXPECT_EQ(texels(object), fresh(1, options));
+}
+
+/// The root mean square of the difference of two views' codes.
+double difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    EXPECT_EQ(a.size(), b.size());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double by = double(a[i]) - double(b[i]);
+        sum += by * by;
+    }
+    return std::sqrt(sum / double(a.size()));
+}
+
+/// A torus of 8,192 faces by a quarter of them, under both lights, with every kind of atlas.
+TEST_F(GlEditObjectTest, ACoarseViewLooksMuchLikeTheWholeOne) {
+    const auto light =
+        std::make_shared<const GlLight>(context->gl(), prefilter(make_environment("studio")));
+    for (const char* atlas : {"atlas.kind=patch", "atlas.kind=quad", "atlas.kind=area"}) {
+        pictures.clear();
+        make(atlas, {"0.2"});
+        const auto coarse = std::make_shared<const CoarseSurfaces>(
+            coarse_surfaces(surface->scene, surface->triangles / 2));
+        ASSERT_LT(coarse->front().triangles.size(), surface->triangles * 2 / 3);
+        GlEditObject object(context->gl());
+        object.show(surface, pictures[0]);
+        ObjectViewOptions options;
+        options.size = {96, 80};
+        for (const auto& lit_by : {std::shared_ptr<const GlLight>(), light}) {
+            options.light = lit_by;
+            options.coarse = false;
+            object.draw(options);
+            const std::vector<std::uint8_t> whole = texels(object);
+            object.show_coarse(coarse);
+            options.coarse = true;
+            object.draw(options);
+            const double least = difference(texels(object), whole);
+            EXPECT_LT(least, 9.0) << atlas << ' ' << bool(lit_by);
+            options.camera = orbited({}, {40.0, 0.0}, 80.0);
+            object.draw(options);
+            EXPECT_GT(difference(texels(object), whole), 2.0 * least) << "another side";
+            options.camera = {};
+            object.draw(options);
+            std::cerr << atlas << " " << bool(lit_by) << " " << least << "\n";
+            EXPECT_NE(texels(object), whole);
+            object.show_coarse(nullptr);
+            EXPECT_FALSE(object.has_coarse());
+        }
+    }
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ class GlEditPoseTest : public GlEditProgramTest {
         options.recipe = folder / "r.json";
         options.gallery = false;
         editor = std::make_unique<EditorProgram>(
-            create_unseen_window(create_osmesa_context(), {800, 640}), options);
+            create_unseen_window(create_test_context(), {800, 640}), options);
         play(*editor, settle);
     }
     void choose(const std::string& path) {

@@ -120,10 +120,37 @@ TEST_F(GlEditProgramTest, AMeshOpensFromTheFirstFrameOnUntilItsFinestPictureIsSm
     }
     EXPECT_EQ(editor->shown(), editor->baker().front().picture().get());
     EXPECT_EQ(editor->shown()->level, 0u);
-    editor->turn();
+    for (int i = 0; i < 20 && !editor->shown_smooth(); ++i) editor->turn();
     EXPECT_TRUE(editor->shown_smooth());
     while (!editor->baker().idle()) editor->turn();
     EXPECT_TRUE(editor->baker().front().pick()) << "what was held goes on";
+}
+
+TEST_F(GlEditProgramTest, NoFrameIsDrawnWhileNothingHappens) {
+    const auto editor = start();
+    const auto frames_in = [&](int turns) {
+        int frames = 0;
+        for (int i = 0; i < turns; ++i) {
+            const std::uint64_t before = editor->frames();
+            editor->turn();
+            frames += int(editor->frames() - before);
+        }
+        return frames;
+    };
+    for (const char* tab : {"Library", "Parameters", "Colours", "Metrics", "Log"}) {
+        play(*editor, std::string(R"({"click": "tab:)") + tab + R"("}, {"settle": true})");
+        frames_in(20);
+        EXPECT_EQ(frames_in(200), 0) << tab;
+    }
+    play(*editor, R"({"key": "N"}, {"settle": true})");
+    frames_in(20);
+    EXPECT_EQ(frames_in(200), 0) << "the graph";
+    editor->session().set({"texture.input.noise.0.amplitude=0.7"});
+    play(*editor, R"({"wait": 1})");
+    while (!editor->baker().idle()) editor->turn();
+    EXPECT_GT(frames_in(50), 0) << "a texture that was made is shown";
+    EXPECT_EQ(editor->shown(), editor->baker().front().picture().get());
+    EXPECT_EQ(frames_in(200), 0);
 }
 
 TEST_F(GlEditProgramTest, SavesAndExportsThroughTheDialog) {

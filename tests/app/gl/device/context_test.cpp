@@ -78,6 +78,8 @@ class OldContext final : public GlContext {
   public:
     OldContext() { load_functions("libOld.so"); }
     void make_current() override {}
+    void release() override {}
+    std::unique_ptr<GlContext> share() override { return nullptr; }
     std::string origin() const override { return "old"; }
     GlProcedure get_proc(const char* name) override {
         if (std::string_view(name) != "glGetString") return nullptr;

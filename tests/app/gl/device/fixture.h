@@ -1,10 +1,12 @@
 #pragma once
 // A fixture for tests that draw with OpenGL, which are skipped visibly where OSMesa is not
-// installed.
+// installed. BURL_TEST_GL=egl in the environment runs them on a graphics processor instead.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
+#include <string>
 
 #include "app/gl/device/context.h"
 #include "atlas/base/error.h"
@@ -12,11 +14,17 @@
 
 namespace burl {
 
+/// The context of BURL_TEST_GL, a name of gl_platforms(); OSMesa's unless that is set.
+inline std::unique_ptr<GlContext> create_test_context() {
+    const char* const platform = std::getenv("BURL_TEST_GL");
+    return create_gl_context(platform ? std::string(platform) : "osmesa");
+}
+
 class GlTest : public testing::Test {
   protected:
     void SetUp() override {
         try {
-            context = create_osmesa_context();
+            context = create_test_context();
         } catch (const Error& error) {
             GTEST_SKIP() << error.what();
         }

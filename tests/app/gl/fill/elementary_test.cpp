@@ -69,6 +69,10 @@ void main() {{
                      const Arguments& arguments) {
         alignas(64) double expected[count + batch_padding];
         apply(operation, {arguments.a, arguments.b, nullptr, nullptr}, count, expected);
+        expect_bits(expression, expected, arguments);
+    }
+
+    void expect_bits(const char* expression, const double* expected, const Arguments& arguments) {
         const std::vector<double> values = draw(expression, arguments, true);
         std::size_t different = 0;
         for (std::size_t i = 0; i < count; ++i)
@@ -123,6 +127,18 @@ TEST_F(GlElementaryTest, HaveTheHostsBitsInFloat64) {
         expect_bits("whole_power(a, 7u)", {ValueOp::power, {7.0}}, some);
         expect_bits("whole_power(a, 0u)", {ValueOp::power, {0.0}}, some);
     }
+}
+
+TEST_F(GlElementaryTest, QuotientsAndRootsAreTheNearestInFloat64) {
+    const Arguments some = arguments(10.0, 3.0);
+    alignas(64) double quotients[count + batch_padding], roots[count + batch_padding];
+    for (std::size_t i = 0; i < count; ++i) {
+        quotients[i] = some.a[i] / (1.5 + std::abs(some.b[i]));
+        roots[i] = std::sqrt(std::abs(some.a[i]));
+    }
+    expect_bits("a / (1.5lf + abs(b))", quotients, some);
+    expect_bits("(real3(1.0lf, a, 2.0lf) / (1.5lf + abs(b))).y", quotients, some);
+    expect_bits("nearest_root(abs(a))", roots, some);
 }
 
 TEST_F(GlElementaryTest, StayWithinTheErrorsStatedInFloat32) {

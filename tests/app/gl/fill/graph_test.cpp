@@ -369,7 +369,7 @@ TEST_F(GlGraphTest, BakesThroughOpenGlHaveTheHostsBytes) {
     Pipeline pipeline(torus(300));
     pipeline.set_recipe(load_recipe("checks", {"atlas.size=64"}));
     const Image<Rgb8> expected = pipeline.synthesize<Rgb8>();
-    const std::shared_ptr<TextureSynthesizer> gl = make_gl_synthesizer(create_osmesa_context());
+    const std::shared_ptr<TextureSynthesizer> gl = make_gl_synthesizer(create_test_context());
     EXPECT_EQ(gl->problem(pipeline.recipe()), "");
     pipeline.set_synthesizer(gl);
     EXPECT_EQ(differing(pipeline.synthesize<Rgb8>(), expected), 0u);

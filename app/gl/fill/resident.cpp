@@ -1,0 +1,293 @@
+#include "app/gl/fill/resident.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/gl/device/objects.h"
+#include "procedural/graph/masks.h"
+#include "procedural/graph/planes.h"
+
+namespace burl {
+
+namespace {
+
+constexpr std::size_t map_budget = std::size_t(1) << 30;  // bytes of point maps that are kept
+constexpr int tile_side = 2048;
+constexpr std::size_t most_programs = 64, most_pictures = 8;
+constexpr int paint_unit = 15;
+
+/// An expression for every plane of a material, by its number.
+std::vector<std::string> plane_texts(const TextureGraph& graph) {
+    const PlaneLayout layout(graph);
+    std::vector<std::string> texts(layout.count());
+    for (std::size_t c = 0; c < 3; ++c) texts[c] = fmt::format("color.{}", "rgb"[c]);
+    if (layout.alpha()) texts[*layout.alpha()] = "color.a";
+    for (const GraphChannel& one : graph.channels) {
+        const std::size_t first = *layout.of(one.channel);
+        const auto name = to_string(one.channel);
+        if (!is_color(one.channel)) texts[first] = fmt::format("planes.{}", name);
+        if (is_color(one.channel))
+            for (std::size_t c = 0; c < 3; ++c)
+                texts[first + c] = fmt::format("planes.{}.{}", name, "rgb"[c]);
+    }
+    return texts;
+}
+
+/// A component of a picture as an expression of its planes, in the host's order of operations
+/// (procedural/fill/pictures.cpp).
+std::string component_text(const PicturePlan& plan, std::size_t c,
+                           const std::vector<std::string>& planes) {
+    const PictureComponent& component = plan.components[c];
+    std::string text = glsl_number(component.factor, GlslReal::float32);
+    if (component.plane) text += " * " + planes[*component.plane];
+    if (component.times) text += fmt::format(" * clamp({}, 0.0, 1.0)", planes[*component.times]);
+    if (component.offset != 0.0)
+        text = fmt::format("({} + {})", text, glsl_number(component.offset, GlslReal::float32));
+    const bool color = plan.is_color && c < 3;
+    if (!color) return fmt::format("clamp({}, 0.0, 1.0)", text);
+    if (!plan.alpha) return fmt::format("code({})", text);
+    const std::string& alpha = planes[*plan.alpha];
+    return fmt::format("code({0} > 0.0 ? ({1}) / {0} : {1})", alpha, text);
+}
+
+/// The last part of the shader: an output per picture. `color` is an expression of the base colour
+/// of `texel`; without planes it is all that there is.
+std::string outputs_text(const Recipe& recipe, const std::vector<PicturePlan>& plans,
+                         const std::string& color) {
+    std::string text =
+        "uniform ivec2 tile_origin;\n"
+        "float code(real light) { return float(srgb8(light)) / 255.0; }\n"
+        "layout(location = 0) out vec4 picture0;\n";
+    if (!recipe.paint.empty()) text += "uniform sampler2D paint;  // premultiplied linear light\n";
+    for (std::size_t i = 1; i <= plans.size(); ++i)
+        text += fmt::format("layout(location = {0}) out vec4 picture{0};\n", i);
+    text += "void main() {\n    ivec2 texel = ivec2(gl_FragCoord.xy) - tile_origin;\n";
+    if (has_glsl_planes(recipe.texture))
+        text +=
+            "    TexturePlanes planes = texture_planes(solid_point(texel));\n"
+            "    real4 color = planes.base_color;\n";
+    else
+        text += fmt::format("    real4 color = real4({}, 1.0);\n", color);
+    if (!recipe.paint.empty())
+        text +=
+            "    vec4 over = texelFetch(paint, ivec2(gl_FragCoord.xy), 0);\n"
+            "    color.rgb = over.rgb + (1.0 - over.a) * color.rgb;\n";
+    text += "    picture0 = vec4(code(color.r), code(color.g), code(color.b), 1.0);\n";
+    const std::vector<std::string> planes = plane_texts(recipe.texture);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        std::array<std::string, 4> all;
+        for (std::size_t c = 0; c < 4; ++c) all[c] = component_text(plans[i], c, planes);
+        text += fmt::format("    picture{} = vec4({});\n", i + 1, fmt::join(all, ", "));
+    }
+    return text + "}\n";
+}
+
+/// A texture of this side with memory for all levels.
+GlTexture make_image(const GladGLContext& gl, int side, bool is_color) {
+    GlTexture texture(gl);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, texture.get());
+    int level = 0;
+    for (int size = side;; size /= 2, ++level) {
+        gl.TexImage2D(GL_TEXTURE_2D, level, is_color ? GL_SRGB8_ALPHA8 : GL_RGBA8, size, size, 0,
+                      GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        if (size <= 1) break;
+    }
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    check_gl(gl, fmt::format("making a texture of {0}x{0} texels", side));
+    return texture;
+}
+
+}  // namespace
+
+void make_levels(const GladGLContext& gl, const GlTexture& texture) {
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, texture.get());
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+}
+
+Image<Rgb8> read_texels(const GladGLContext& gl, const GlPictures& pictures) {
+    const auto side = std::size_t(pictures.side);
+    Image<Rgb8> texels(side, side);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, pictures.images[0].get());
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_UNSIGNED_BYTE, texels.row(0).data());
+    check_gl(gl, "reading a texture");
+    return texels;
+}
+
+std::shared_ptr<GlPictures> GlPicturePool::take(int side, const std::vector<bool>& is_color) {
+    std::erase_if(kept_, [&](const auto& one) {
+        return one.use_count() == 1 && (one->side != side || one->is_color != is_color);
+    });
+    for (const auto& one : kept_)
+        if (one.use_count() == 1) return one;
+    auto made = std::make_shared<GlPictures>();
+    made->side = side;
+    made->is_color = is_color;
+    for (const bool color : is_color) made->images.push_back(make_image(*gl_, side, color));
+    return kept_.emplace_back(std::move(made));
+}
+
+const GlTexture& GlPaint::show(const SolidAtlas& solid, std::span<const PaintStroke> strokes) {
+    constexpr std::uint32_t side = PaintTiles::side;
+    if (!layer_) layer_.emplace(solid, 0);
+    if (!texture_) {
+        const std::vector<Vec4f> none(std::size_t(solid.size) * solid.size, Vec4f(0.0f));
+        texture_ =
+            make_texture(*gl_, GL_RGBA32F, GlSize(int(solid.size)), std::span<const Vec4f>(none));
+    }
+    const PaintWork work = layer_->update(strokes);
+    gl_->ActiveTexture(GL_TEXTURE0);
+    gl_->BindTexture(GL_TEXTURE_2D, texture_->get());
+    const std::vector<PaintLight> clear(std::size_t(side) * side, PaintLight(0.0f));
+    gl_->PixelStorei(GL_UNPACK_ROW_LENGTH, int(side));
+    for (const std::uint32_t tile : work.tiles) {
+        const std::uint32_t columns = layer_->tiles().columns();
+        const std::uint32_t x = tile % columns * side, y = tile / columns * side;
+        const std::span<const PaintLight> paint = layer_->paint(tile);
+        gl_->TexSubImage2D(GL_TEXTURE_2D, 0, int(x), int(y), int(std::min(side, solid.size - x)),
+                           int(std::min(side, solid.size - y)), GL_RGBA, GL_FLOAT,
+                           paint.empty() ? clear.data() : paint.data());
+    }
+    gl_->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    check_gl(*gl_, "uploading paint");
+    return *texture_;
+}
+
+void GlPaint::forget_atlas() {
+    layer_.reset();
+    texture_.reset();
+}
+
+GlPictureMaker::GlPictureMaker(GlContext& context)
+    : gl_(&context.gl()),
+      graph_(*gl_, false, map_budget),
+      pass_(*gl_),
+      framebuffer_(*gl_),
+      pool_(*gl_),
+      paint_(*gl_) {}
+
+std::string GlPictureMaker::problem(const Recipe& recipe) const {
+    if (recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32)
+        return "OpenGL computes in float32, and another precision is asked for";
+    const bool filtered = recipe.filter.kind != FilterKind::none || recipe.filter.band_limit;
+    if (filtered && has_glsl_planes(recipe.texture))
+        return "filtered materials are made on the host alone";
+    if (std::string why = graph_.problem(recipe.texture, recipe.filter); !why.empty()) return why;
+    const std::string mask = first_mask_node(recipe.texture, GraphOutput::planes);
+    return mask.empty() ? "" : no_texels_for(mask);
+}
+
+/// The program of a recipe, which stays until the atlas is forgotten; sets graph_.
+const GlProgram& GlPictureMaker::program(const Recipe& recipe,
+                                         const std::vector<PicturePlan>& plans,
+                                         const SolidAtlas& solid) {
+    const ShaderSource source = graph_.set_material(
+        solid, recipe.texture, texture_from_solid(recipe), recipe.filter,
+        [&](const std::string& color) { return outputs_text(recipe, plans, color); });
+    if (programs_.size() >= most_programs) programs_.clear();
+    std::string text = source.text();
+    if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
+    GlProgram made = make_full_screen_program(*gl_, "a material", source);
+    return programs_.emplace(std::move(text), std::move(made)).first->second;
+}
+
+/// Fills level 0 of the textures, tile by tile.
+void GlPictureMaker::draw(const GlPictures& into, const GlProgram& program,
+                          const GlTexture* paint) {
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+    std::vector<GLenum> outputs;
+    for (std::size_t i = 0; i < most_pictures; ++i) {
+        const GLenum place = GLenum(GL_COLOR_ATTACHMENT0 + i);
+        const bool used = i < into.images.size();
+        gl_->FramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D,
+                                  used ? into.images[i].get() : 0, 0);
+        if (used) outputs.push_back(place);
+    }
+    gl_->DrawBuffers(GLsizei(outputs.size()), outputs.data());
+    for (const GLenum off : {GL_BLEND, GL_DEPTH_TEST, GL_FRAMEBUFFER_SRGB}) gl_->Disable(off);
+    for_tiles(GlSize(into.side), tile_side, [&](const GlTile& tile) {
+        const auto points = graph_.set_tile(tile);
+        gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+        gl_->Viewport(tile.origin.x, tile.origin.y, tile.size.x, tile.size.y);
+        program.use();
+        graph_.bind<Rgb8>(program, points.get());
+        program.set("tile_origin", tile.origin);
+        if (paint) bind_texture(*gl_, program, "paint", paint_unit, *paint);
+        pass_.draw();
+    });
+    check_gl(*gl_, "drawing a material");
+}
+
+std::shared_ptr<const GlPictures> GlPictureMaker::make(const SolidAtlas& solid,
+                                                       const Recipe& recipe,
+                                                       const std::vector<PicturePlan>& plans) {
+    std::string why = problem(recipe);
+    if (why.empty() && plans.size() + 1 > most_pictures) why = "it has too many pictures";
+    if (!why.empty()) throw Error(ExitCode::unsupported, why);
+    std::vector<bool> is_color{true};
+    for (const PicturePlan& plan : plans) is_color.push_back(plan.is_color);
+    const std::shared_ptr<GlPictures> pictures = pool_.take(int(solid.size), is_color);
+    const GlProgram& made = program(recipe, plans, solid);
+    const GlTexture* paint = recipe.paint.empty() ? nullptr : &paint_.show(solid, recipe.paint);
+    draw(*pictures, made, paint);
+    graph_.finish();
+    for (const GlTexture& image : pictures->images) make_levels(*gl_, image);
+    gl_->Finish();
+    check_gl(*gl_, "drawing MIP levels");
+    return pictures;
+}
+
+void GlPictureMaker::forget_atlas() {
+    graph_.forget_atlas();
+    paint_.forget_atlas();
+}
+
+GlPassMaker::GlPassMaker(GlContext& context)
+    : gl_(&context.gl()), passes_(context, {}), framebuffer_(*gl_), pool_(*gl_) {}
+
+std::string GlPassMaker::problem(const Recipe& recipe) const {
+    if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
+        return "the papers' passes have no filters";
+    if (!recipe.paint.empty()) return "the papers' passes have no paint";
+    if (has_glsl_planes(recipe.texture)) return "the papers' passes make a colour alone";
+    if (recipe.atlas.size > std::uint32_t(largest_tile))
+        return fmt::format("the papers' passes are shown up to {} texels a side", largest_tile);
+    const Texture* texture = plain_texture(recipe.texture);
+    return texture ? passes_.problem(*texture)
+                   : "the papers' passes make no other textures than an opaque color_map over a "
+                     "field";
+}
+
+std::shared_ptr<const GlPictures> GlPassMaker::make(const SolidAtlas& solid, const Recipe& recipe,
+                                                    std::size_t count) {
+    if (const std::string why = problem(recipe); !why.empty())
+        throw Error(ExitCode::unsupported, why);
+    const std::shared_ptr<GlPictures> pictures = pool_.take(int(solid.size), {true});
+    const auto begin = [&] {
+        gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+        gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                                  pictures->images[0].get(), 0);
+        gl_->Viewport(0, 0, pictures->side, pictures->side);
+        gl_->Disable(GL_FRAMEBUFFER_SRGB);
+    };
+    const std::optional<Pass> pass = passes_.show(solid, *plain_texture(recipe.texture),
+                                                  texture_from_solid(recipe), count, begin);
+    shown_.count = passes_.passes();
+    shown_.number = std::min(count, shown_.count);
+    shown_.words = pass ? words_of(*pass) : "colour";
+    make_levels(*gl_, pictures->images[0]);
+    gl_->Finish();
+    return pictures;
+}
+
+}  // namespace burl

@@ -1,0 +1,201 @@
+// Pictures made where they are shown are the host's to one code.
+#include "app/gl/fill/resident.h"
+
+#include <cstdlib>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "app/pipeline/material.h"
+#include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
+#include "app/surface/sample_meshes.h"
+#include "tests/app/gl/device/fixture.h"
+
+namespace burl {
+namespace {
+
+/// How the codes of a texture differ from the host's.
+struct Away {
+    int most = 0;        ///< the largest difference of a code
+    double share = 0.0;  ///< of codes that differ
+};
+
+template <class Pixel>
+Away away(const std::vector<std::uint8_t>& drawn, const Image<Pixel>& host) {
+    Away result;
+    std::size_t differing = 0, n = 0;
+    for (const Pixel& pixel : host.pixels()) {
+        const auto codes = reinterpret_cast<const std::uint8_t*>(&pixel);
+        for (std::size_t c = 0; c < sizeof(Pixel); ++c, ++n) {
+            const int difference = std::abs(int(drawn[n / sizeof(Pixel) * 4 + c]) - int(codes[c]));
+            result.most = std::max(result.most, difference);
+            differing += difference != 0 ? 1 : 0;
+        }
+    }
+    result.share = double(differing) / double(n);
+    return result;
+}
+
+class GlResidentTest : public GlTest {
+  protected:
+    std::vector<std::uint8_t> read(const GlTexture& texture, int level, int side) {
+        const GladGLContext& gl = context->gl();
+        std::vector<std::uint8_t> codes(std::size_t(side) * std::size_t(side) * 4);
+        gl.BindTexture(GL_TEXTURE_2D, texture.get());
+        gl.GetTexImage(GL_TEXTURE_2D, level, GL_RGBA, GL_UNSIGNED_BYTE, codes.data());
+        return codes;
+    }
+
+    void expect_hosts(const Recipe& recipe) {
+        SCOPED_TRACE(recipe.name);
+        Pipeline pipeline(sample_mesh("sample:teapot"));
+        pipeline.set_recipe(recipe);
+        std::vector<PicturePlan> plans;
+        for (const MaterialPicture& picture : material_pictures(recipe, Packing::gltf))
+            plans.push_back(picture.plan);
+        GlPictureMaker maker(*context);
+        ASSERT_EQ(maker.problem(recipe), "");
+        const auto pictures = maker.make(pipeline.solid(), recipe, plans);
+        ASSERT_EQ(pictures->images.size(), 1 + plans.size());
+        expect_near(away(read(pictures->images[0], 0, pictures->side), *pipeline.picture<Rgb8>()));
+        if (plans.empty()) return;
+        const auto host = pipeline.pictures<Rgba8>(plans);
+        for (std::size_t i = 0; i < plans.size(); ++i)
+            expect_near(away(read(pictures->images[i + 1], 0, pictures->side), host[i]));
+    }
+
+    /// Sharp edges may fall on the other side of a texel in float32.
+    static void expect_near(const Away& away) {
+        EXPECT_LE(away.share, 0.01);
+        if (away.share > 1e-4) {
+            EXPECT_LE(away.most, 1);
+        }
+    }
+};
+
+TEST_F(GlResidentTest, ColoursAreTheHosts) {
+    for (const char* name : {"marble", "wood", "clouds"})
+        expect_hosts(load_recipe(name, {"atlas.size=128", "atlas.kind=quad"}));
+}
+
+TEST_F(GlResidentTest, ChannelsAreTheHosts) {
+    for (const char* name : {"oak", "rust", "gold"})
+        expect_hosts(load_recipe(name, {"atlas.size=64", "atlas.kind=quad"}));
+}
+
+TEST_F(GlResidentTest, PaintIsTheHostsAndGoes) {
+    Recipe recipe = load_recipe("marble", {"atlas.size=64", "atlas.kind=quad"});
+    PaintStroke stroke;
+    stroke.points = {Vec3d(0.0), Vec3d(0.5, 0.1, 0.0)};
+    stroke.radius = 0.3;
+    stroke.color = {200, 30, 20};
+    recipe.paint = {stroke};
+    Pipeline pipeline(sample_mesh("sample:cube"));
+    pipeline.set_recipe(recipe);
+    GlPictureMaker maker(*context);
+    const auto painted = maker.make(pipeline.solid(), recipe, {});
+    const auto codes = read(painted->images[0], 0, 64);
+    expect_near(away(codes, *pipeline.picture<Rgb8>()));
+    recipe.paint.clear();
+    pipeline.set_recipe(recipe);
+    const auto plain = maker.make(pipeline.solid(), recipe, {});
+    EXPECT_NE(read(plain->images[0], 0, 64), codes);
+    expect_near(away(read(plain->images[0], 0, 64), *pipeline.picture<Rgb8>()));
+    recipe.paint = {stroke};
+    recipe.paint[0].radius = 0.1;
+    pipeline.set_recipe(recipe);
+    const auto again = maker.make(pipeline.solid(), recipe, {});
+    expect_near(away(read(again->images[0], 0, 64), *pipeline.picture<Rgb8>()));
+}
+
+TEST_F(GlResidentTest, LevelsAreMeansInLinearLight) {
+    const Recipe recipe = load_recipe("checks", {"atlas.size=64", "atlas.kind=quad"});
+    Pipeline pipeline(sample_mesh("sample:cube"));
+    pipeline.set_recipe(recipe);
+    GlPictureMaker maker(*context);
+    const auto pictures = maker.make(pipeline.solid(), recipe, {});
+    const auto fine = read(pictures->images[0], 0, 64), coarse = read(pictures->images[0], 1, 32);
+    for (std::size_t y = 0; y < 32; ++y)
+        for (std::size_t x = 0; x < 32; ++x) {
+            double light = 0.0;
+            for (const std::size_t at : {128 * y + 2 * x, 128 * y + 2 * x + 1, 128 * y + 64 + 2 * x,
+                                         128 * y + 64 + 2 * x + 1})
+                light += srgb_decode(fine[4 * at] / 255.0) / 4.0;
+            EXPECT_NEAR(coarse[4 * (32 * y + x)], 255.0 * srgb_encode(light), 2.0);
+        }
+}
+
+/// What is shown is never drawn over.
+TEST_F(GlResidentTest, PicturesInUseStay) {
+    const Recipe marble = load_recipe("marble", {"atlas.size=32", "atlas.kind=quad"});
+    const Recipe wood = load_recipe("wood", {"atlas.size=32", "atlas.kind=quad"});
+    Pipeline pipeline(sample_mesh("sample:cube"));
+    pipeline.set_recipe(marble);
+    GlPictureMaker maker(*context);
+    auto first = maker.make(pipeline.solid(), marble, {});
+    const auto codes = read(first->images[0], 0, 32);
+    const auto second = maker.make(pipeline.solid(), wood, {});
+    EXPECT_NE(second, first);
+    EXPECT_EQ(read(first->images[0], 0, 32), codes);
+    const auto* const released = first.get();
+    first.reset();
+    EXPECT_EQ(maker.make(pipeline.solid(), marble, {}).get(), released);
+}
+
+TEST_F(GlResidentTest, ProblemsAreClauses) {
+    GlPictureMaker maker(*context);
+    EXPECT_NE(maker.problem(load_recipe("oak", {"filter.kind=trapezoid"})), "");
+    EXPECT_NE(maker.problem(load_recipe("marble", {"precision.kind=float64"})), "");
+    EXPECT_EQ(maker.problem(load_recipe("oak")), "");
+    GlPassMaker passes(*context);
+    EXPECT_NE(passes.problem(load_recipe("oak")), "");
+}
+
+/// Another thread's context makes them; this one shows them.
+TEST_F(GlResidentTest, AreSharedBetweenThreads) {
+    const Recipe recipe = load_recipe("marble", {"atlas.size=64", "atlas.kind=quad"});
+    Pipeline pipeline(sample_mesh("sample:cube"));
+    pipeline.set_recipe(recipe);
+    const std::unique_ptr<GlContext> other = context->share();
+    std::unique_ptr<GlPictureMaker> maker;
+    std::shared_ptr<const GlPictures> pictures;
+    std::thread([&] {
+        const CurrentContext current(*other);
+        maker = std::make_unique<GlPictureMaker>(*other);
+        pictures = maker->make(pipeline.solid(), recipe, {});
+    }).join();
+    expect_near(away(read(pictures->images[0], 0, 64), *pipeline.picture<Rgb8>()));
+    pictures.reset();
+    std::thread([&] {
+        const CurrentContext current(*other);
+        maker.reset();
+    }).join();
+}
+
+TEST_F(GlResidentTest, PassesCanBeSeenOneByOne) {
+    const Recipe recipe = load_recipe(
+        "marble", {"atlas.size=64", "atlas.kind=quad", "texture.input.noise.0.kind=value",
+                   "texture.input.noise.0.octaves=1", "texture.input.noise.0.fade=smooth"});
+    Pipeline pipeline(sample_mesh("sample:cube"));
+    pipeline.set_recipe(recipe);
+    GlPassMaker maker(*context);
+    ASSERT_EQ(maker.problem(recipe), "");
+    const auto all = maker.make(pipeline.solid(), recipe, 10000);
+    EXPECT_EQ(maker.shown().words, "colour");
+    EXPECT_EQ(maker.shown().number, 65u);  // one octave by the hash, with the S-curve, and colours
+    EXPECT_EQ(maker.shown().count, 65u);
+    expect_near(away(read(all->images[0], 0, 64), *pipeline.picture<Rgb8>()));
+    const auto finished = read(all->images[0], 0, 64);
+    const auto first = maker.make(pipeline.solid(), recipe, 1);
+    EXPECT_EQ(maker.shown().words, "cells: integers");
+    EXPECT_EQ(maker.shown().number, 1u);
+    const auto early = read(first->images[0], 0, 64);
+    EXPECT_NE(early, finished);
+    const auto last_but_one = maker.make(pipeline.solid(), recipe, 64);
+    EXPECT_EQ(maker.shown().words, "field index: index");
+    EXPECT_NE(read(last_but_one->images[0], 0, 64), early);
+}
+
+}  // namespace
+}  // namespace burl
