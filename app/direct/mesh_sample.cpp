@@ -68,7 +68,9 @@ LitPoint lit_point(const DirectScene& scene, const ScreenTriangle& t, const Mesh
     const double side = glm::dot(facet, normal) < 0.0 ? -seen : seen;
     const Vec3d bumped = scene.bumped ? scene.bumped(sample.point, normal) : normal;
     const Vec3d place = on_smooth_surface(scene, t.triangle, sample, side);
-    return {Vec3d(placement * Vec4d(place, 1.0)) + offset_of(scene.around) * seen * facing,
+    const Vec3d off = offset_of(scene.around) * seen * facing;
+    return {Vec3d(placement * Vec4d(place, 1.0)) + off,
+            Vec3d(placement * Vec4d(sample.point, 1.0)) - off,
             side * unit_or(to_scene * bumped, facing), side * unit_or(to_scene * normal, facing),
             view};
 }
@@ -78,7 +80,8 @@ LitPoint lit_point(const Vec3d& plane_normal, const Vec3d& point, const Vec3d& e
     const Vec3d view = unit_or(eye - point, plane_normal);
     const Vec3d normal =
         glm::normalize(glm::dot(plane_normal, view) < 0.0 ? -plane_normal : plane_normal);
-    return {point + offset_of(around) * normal, normal, normal, view};
+    const Vec3d off = offset_of(around) * normal;
+    return {point + off, point - off, normal, normal, view};
 }
 
 }  // namespace burl

@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -12,7 +11,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/light/chosen_environment.h"
-#include "app/options/idle_options.h"
 #include "app/recipe/edit/images.h"
 #include "app/recipe/lattice_check.h"
 #include "app/scene/ground.h"
@@ -35,6 +33,7 @@ Error bad_plane(const std::string& text) {
 
 constexpr int most_rays = 1 << 16;
 constexpr std::size_t backdrop_rows = 1024;  ///< of a built-in environment that is seen
+constexpr int ground_rays = 64;              ///< of the ground's shadow where surfaces take none
 
 /// Parses four finite numbers, the first three not all 0, and normalises the plane. Throws
 /// Error(usage).
@@ -106,94 +105,6 @@ Vec3d step_at_rest(const Mesh& posed, const Mesh& rest, std::uint32_t triangle, 
            (ee * b - ef * a) / area * (rest.positions[r[2]] - rest.positions[r[0]]);
 }
 
-/// The keys without effect on a picture that is drawn without an atlas.
-constexpr std::array idle_keys{
-    IdleKey{"atlas", "--direct draws without an atlas"},
-    IdleKey{"paint", "--direct draws the texture below the paint"},
-    IdleKey{"filter.kind", "--direct takes its filter from --filter"},
-    IdleKey{"filter.samples", "--direct takes its filter from --filter"}};
-
-/// The recipes that a picture shows, by name, each with its edits and moves.
-class ShownRecipes {
-  public:
-    explicit ShownRecipes(const DirectOptions& options) : options_(options) {
-        for (const std::string& text : options.planes) names_.push_back(parse_plane(text).recipe);
-        const bool bare = std::ranges::find(names_, "") != names_.end();
-        if (!options.scene.empty() || bare || names_.empty()) add("");
-        for (const std::string& name : names_) add(name);
-    }
-
-    /// The recipes, each with the edits and moves that name it. Throws Error(usage) for one that
-    /// names no shown recipe.
-    std::vector<MovedRecipe> with_edits(const AnimationOptions& animation) const {
-        std::vector<MovedRecipe> result = recipes_;
-        for (const std::string& text : options_.recipe.settings)
-            give("--set", text, [&](std::size_t i, const std::string& edit) {
-                result[i].options.settings.push_back(edit);
-            });
-        for (const std::string& text : animation.keys)
-            give("--animate", text,
-                 [&](std::size_t i, const std::string& key) { result[i].keys.push_back(key); });
-        return result;
-    }
-
-    /// The picture's recipes, from recipes in the order of with_edits().
-    PictureRecipes picture(const std::vector<Recipe>& recipes) const {
-        PictureRecipes result;
-        const std::size_t main = place_of("");
-        if (main < recipes.size()) result.main = recipes[main];
-        for (const std::string& name : names_) {
-            result.planes.emplace_back();
-            if (!name.empty()) result.planes.back() = recipes[place_of(name)];
-        }
-        return result;
-    }
-
-  private:
-    /// Adds a name that is new; the empty name is that of --recipe.
-    void add(const std::string& name) {
-        if (place_of(name) < shown_.size()) return;
-        shown_.push_back(name);
-        recipes_.push_back({options_.recipe, {}});
-        recipes_.back().options.settings.clear();
-        if (!name.empty()) recipes_.back().options.recipe = name;
-    }
-    std::size_t place_of(const std::string& name) const {
-        return std::size_t(std::ranges::find(shown_, name) - shown_.begin());
-    }
-
-    template <class Give>
-    void give(const char* option, const std::string& text, const Give& give_to) const {
-        const std::size_t colon = text.substr(0, text.find('=')).rfind(':');
-        const bool named = colon != std::string::npos;
-        const std::string name = named ? text.substr(0, colon) : "";
-        bool given = false;
-        for (std::size_t i = 0; i < shown_.size(); ++i) {
-            const bool by_name = named && recipes_[i].options.recipe == name;
-            if (!by_name && (named || !shown_[i].empty())) continue;
-            give_to(i, named ? text.substr(colon + 1) : text);
-            given = true;
-        }
-        if (!given) throw nothing_shows(option, text, name);
-    }
-    Error nothing_shows(const char* option, const std::string& text,
-                        const std::string& name) const {
-        std::vector<std::string> names;
-        for (const MovedRecipe& one : recipes_) names.push_back(one.options.recipe);
-        return Error(
-            ExitCode::usage,
-            fmt::format("{} {}: the picture does not show {}; name the recipe that "
-                        "changes, as in {} {}:PATH=... (there are {})",
-                        option, text, name.empty() ? "the recipe of --recipe" : "a recipe " + name,
-                        option, names.front(), fmt::join(names, ", ")));
-    }
-
-    const DirectOptions& options_;
-    std::vector<std::string> names_;  ///< per plane its recipe's name; empty: that of --recipe
-    std::vector<std::string> shown_;  ///< the distinct names
-    std::vector<MovedRecipe> recipes_;
-};
-
 }  // namespace
 
 PlaneArgument parse_plane(const std::string& text) {
@@ -203,22 +114,6 @@ PlaneArgument parse_plane(const std::string& text) {
                                          : std::string_view(text).substr(colon + 1);
     if (colon == 0) throw bad_plane(text);
     return {parse_numbers(text, numbers), colon == std::string::npos ? "" : text.substr(0, colon)};
-}
-
-std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
-                                            const AnimationOptions& animation) {
-    const ShownRecipes shown(options);
-    const std::vector<MovedRecipe> recipes = shown.with_edits(animation);
-    for (const MovedRecipe& recipe : recipes) {
-        refuse_edits(recipe.options, idle_keys, recipe.keys);
-        if (options.pose.empty()) refuse_edits(recipe.options, {&idle_pose, 1}, recipe.keys);
-    }
-    const std::vector<std::vector<Recipe>> frames = frame_recipes(recipes, animation);
-    for (std::size_t i = 0; i < recipes.size(); ++i)
-        check_edits(recipes[i].options, frames[0][i], recipes[i].keys);
-    std::vector<PictureRecipes> pictures;
-    for (const std::vector<Recipe>& frame : frames) pictures.push_back(shown.picture(frame));
-    return pictures;
 }
 
 void DirectOptions::add(CLI::App& verb) {
@@ -284,18 +179,19 @@ PictureOptions DirectOptions::picture_options() const {
     return options;
 }
 
-DirectPicture::DirectPicture(const DirectOptions& options)
-    : picture_(options.picture_options()), widths_(options.widths), rays_(options.rays) {
+DirectPicture::DirectPicture(const DirectOptions& options,
+                             std::shared_ptr<const PrefilteredLight> smooth)
+    : picture_(options.picture_options()),
+      widths_(options.widths),
+      rays_(options.rays),
+      smooth_(std::move(smooth)) {
     if (options.filter) filter_ = parse_filter(*options.filter);
     if (options.scene.empty() && options.planes.empty())
         throw Error(ExitCode::usage,
                     "there is nothing to draw: name a mesh or at least one --plane");
     for (const std::string& text : options.planes) planes_.push_back(parse_plane(text).plane);
     const View view = options.parsed_view();
-    const bool lit = picture_.lit && !picture_.light.is_headlight();
-    if (lit) environment_ = environment_of(picture_.light);
-    if (lit && picture_.background.kind == Background::Kind::light)
-        backdrop_ = environment_of(picture_.light, backdrop_rows);
+    if (picture_.lit && !picture_.light.is_headlight()) make_light();
     if (!options.scene.empty()) mesh_ = options.meshes.load(options.scene);
     turn(mesh_, upright(options.up));
     normals_ = corner_normals(mesh_, options.crease);
@@ -311,12 +207,21 @@ DirectPicture::DirectPicture(const DirectOptions& options)
     look(view);
 }
 
+void DirectPicture::make_light() {
+    if (!smooth_ || picture_.ground) environment_ = environment_of(picture_.light);
+    if (!smooth_ && rays_ == 0)
+        smooth_ = std::make_shared<const PrefilteredLight>(prefilter(*environment_));
+    if (picture_.background.kind == Background::Kind::light)
+        backdrop_ = environment_of(picture_.light, backdrop_rows);
+}
+
 DirectPicture::Shown DirectPicture::shown(const Recipe& recipe, FilterKind otherwise,
                                           const Affine3& map) const {
     const FilterKind kind = filter_.value_or(otherwise);
     const FilteredColor color = widths_ ? filter_width_grey(recipe) : shown_color(recipe, kind);
     Shown result{mapped(color, map), {}};
-    if (environment_) result.material = mapped(point_material(recipe, kind, color, widths_), map);
+    if (environment_ || smooth_)
+        result.material = mapped(point_material(recipe, kind, color, widths_), map);
     return result;
 }
 
@@ -335,10 +240,15 @@ std::vector<PlaneLayer> DirectPicture::layers(const PictureRecipes& recipes) con
 Image<Rgba8> DirectPicture::draw(DirectScene scene) const {
     std::optional<Blockers> blockers;
     std::optional<TracedLight> light, on_ground;
-    if (environment_ || picture_.ground) blockers.emplace(scene.mesh);
+    if (picture_.ground || (environment_ && !smooth_)) blockers.emplace(scene.mesh, planes_);
     const Blockers* const solid = blockers ? &*blockers : nullptr;
-    if (environment_) light.emplace(*environment_, rays_, solid);
-    if (picture_.ground && !environment_) on_ground.emplace(white_environment(), rays_, solid);
+    if (smooth_)
+        light.emplace(smooth_);
+    else if (environment_)
+        light.emplace(*environment_, rays_, solid);
+    if (picture_.ground && (smooth_ || !environment_))
+        on_ground.emplace(environment_ ? *environment_ : white_environment(),
+                          rays_ > 0 ? rays_ : ground_rays, solid);
     scene.around = {light ? &*light : nullptr, backdrop_ ? &*backdrop_ : nullptr, solid, nullptr};
     if (picture_.ground) scene.around.on_ground = on_ground ? &*on_ground : scene.around.light;
     return render_samples(scene, camera_, picture_);

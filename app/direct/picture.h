@@ -66,9 +66,11 @@ std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
 /// A mesh and planes, loaded once for any number of pictures (frames).
 class DirectPicture {
   public:
-    /// Loads the mesh and its pose. Throws Error: usage for options that do not fit together, else
-    /// as load_pose and MeshOptions::load do.
-    explicit DirectPicture(const DirectOptions& options);
+    /// Loads the mesh and its pose. `smooth`, where there is one, is taken for the environment's
+    /// light, without shadows; the options must name an environment then. Throws Error: usage for
+    /// options that do not fit together, else as load_pose and MeshOptions::load do.
+    explicit DirectPicture(const DirectOptions& options,
+                           std::shared_ptr<const PrefilteredLight> smooth = nullptr);
 
     /// Sets the view of the following pictures, at first that of --view.
     void look(const View& view) { camera_ = orbit_camera(view, sphere_, picture_.size); }
@@ -86,6 +88,7 @@ class DirectPicture {
         FilteredColor color;
         PointMaterial material;
     };
+    void make_light();
     Shown shown(const Recipe& recipe, FilterKind otherwise, const Affine3& map) const;
     std::vector<PlaneLayer> layers(const PictureRecipes& recipes) const;
     Image<Rgba8> draw_posed(const Recipe& recipe, const std::vector<PlaneLayer>& planes) const;
@@ -96,6 +99,7 @@ class DirectPicture {
     bool widths_;
     int rays_;
     std::optional<Environment> environment_, backdrop_;  ///< where they light and are seen
+    std::shared_ptr<const PrefilteredLight> smooth_;     ///< lights instead, without rays
     Mesh mesh_;
     std::vector<Vec3f> normals_, posed_normals_;
     std::optional<MeshPose> pose_;

@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "app/direct/mesh_sample.h"
+#include "app/direct/traced_sample.h"
 #include "app/scene/visibility.h"
 #include "atlas/base/random_unit.h"
 
@@ -63,22 +64,11 @@ Vec4d headlit(const Drawing& drawing, const ScreenTriangle& t, const MeshSample&
     return under(headlight(to_scene * sample.normal, to_scene * bumped, to_eye));
 }
 
-/// The mesh's light at a sample in an environment, premultiplied by alpha.
-Vec4d traced(const Drawing& drawing, const ScreenTriangle& t, const MeshSample& sample,
-             const LightDraw& draw) {
-    const DirectScene& scene = drawing.scene;
-    MaterialSample material = scene.material({t.triangle, sample.weights}, sample.covered);
-    if (material.alpha <= 0.0) return Vec4d(0.0);
-    const LitPoint at = lit_point(scene, t, sample, drawing.camera.eye);
-    material.point.coat_normal = at.smooth;
-    return {material.alpha * (*scene.around.light)(material.point, at, draw), material.alpha};
-}
-
 /// The mesh's colour at sample (x, y), which `t` covers, premultiplied by alpha.
 Vec4d shade(const Drawing& drawing, const ScreenTriangle& t, int x, int y, std::size_t layer) {
     const MeshSample sample = mesh_sample(drawing.scene, t, x, y);
-    return drawing.scene.around.light ? traced(drawing, t, sample, draw_of(drawing, x, y, layer))
-                                      : headlit(drawing, t, sample);
+    if (!drawing.scene.around.light) return headlit(drawing, t, sample);
+    return traced(drawing.scene, t, sample, {drawing.camera.eye, draw_of(drawing, x, y, layer)});
 }
 
 struct LayerHit {
@@ -113,23 +103,14 @@ void find_planes(const Drawing& drawing, int x, int y, double from, double depth
                      [](const LayerHit& a, const LayerHit& b) { return a.at.depth < b.at.depth; });
 }
 
-/// A plane's light at an intersection in an environment, premultiplied by alpha.
-Vec4d traced(const Drawing& drawing, const LayerHit& hit, const LightDraw& draw) {
-    const MaterialSample material = hit.layer->material(hit.at.point, hit.at.steps);
-    if (material.alpha <= 0.0) return Vec4d(0.0);
-    const DirectSurroundings& around = drawing.scene.around;
-    const LitPoint at =
-        lit_point(hit.layer->plane.normal, hit.at.point, drawing.camera.eye, around);
-    return {material.alpha * (*around.light)(material.point, at, draw), material.alpha};
-}
-
 /// Adds the planes as far as they are seen.
 void add_planes(const Drawing& drawing, std::span<const LayerHit> hits, int x, int y,
                 SampleSum& sum) {
     for (const LayerHit& hit : hits) {
         if (!sum.is_open()) return;
         if (drawing.scene.around.light) {
-            sum.add(traced(drawing, hit, draw_of(drawing, x, y, sum.layers)));
+            sum.add(traced(drawing.scene, *hit.layer, hit.at.point, hit.at.steps,
+                           {drawing.camera.eye, draw_of(drawing, x, y, sum.layers)}));
             continue;
         }
         const Vec4d color = hit.layer->color(hit.at.point, hit.at.steps);

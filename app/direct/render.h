@@ -20,13 +20,6 @@
 
 namespace burl {
 
-/// A plane up to the horizon: the points p of the scene with normal . p = offset. The normal has
-/// any length but 0.
-struct Plane {
-    Vec3d normal{0.0, 1.0, 0.0};
-    double offset = 0.0;
-};
-
 /// The rays through the samples of a picture; `samples` is the number of samples per side of the
 /// whole picture.
 class SampleRays {
@@ -81,7 +74,7 @@ struct PlaneLayer {
 struct DirectSurroundings {
     const TracedLight* light = nullptr;      ///< null: the headlight, or none
     const Environment* backdrop = nullptr;   ///< null: the background is a colour, or none
-    const Blockers* blockers = nullptr;      ///< what throws a shadow on the ground
+    const Blockers* blockers = nullptr;      ///< what throws shadows and is seen through surfaces
     const TracedLight* on_ground = nullptr;  ///< null: there is no ground
 };
 

@@ -1,5 +1,6 @@
 #include "app/direct/traced_light.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/light/reflection.h"
@@ -8,8 +9,6 @@
 namespace burl {
 
 namespace {
-
-constexpr int shadow_rays = 64;  ///< of the ground's shadow where surfaces take none
 
 /// Points that cover a cube evenly, from whichever of them on and in whichever two of its sides,
 /// shifted by a random amount (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
@@ -37,32 +36,34 @@ class EvenPoints {
 }  // namespace
 
 TracedLight::TracedLight(Environment environment, int rays, const Blockers* blockers)
-    : light_(std::move(environment)), rays_(rays), blockers_(blockers) {
-    if (rays_ == 0) prefiltered_ = prefilter(light_.environment());
-}
+    : light_(std::move(environment)), rays_(rays), blockers_(blockers) {}
+
+TracedLight::TracedLight(std::shared_ptr<const PrefilteredLight> smooth)
+    : smooth_(std::move(smooth)) {}
 
 Vec3d TracedLight::operator()(const ShadedPoint& material, const LitPoint& at,
                               const LightDraw& draw) const {
-    if (prefiltered_) return ambient_shading(material, at.normal, at.view, *prefiltered_);
+    if (smooth_) return ambient_shading(material, at.normal, at.view, *smooth_);
     return emitted(material, at.normal, at.view) + summed(material, at, draw);
 }
 
-/// Light from below is what comes through the surface, which stands in its own way.
+/// Light from below is what comes through the surface.
 bool TracedLight::reaches(const LitPoint& at, const Vec3d& light) const {
     const bool above = glm::dot(at.normal, light) >= 0.0;
     if (above != (glm::dot(at.smooth, light) >= 0.0)) return false;
-    return !above || !blockers_ || !blockers_->blocked(at.place, light);
+    if (!blockers_) return true;
+    return above ? !blockers_->blocked(at.place, light) : !blockers_->first(at.behind, light);
 }
 
 Vec3d TracedLight::summed(const ShadedPoint& material, const LitPoint& at,
                           const LightDraw& draw) const {
     const Reflection reflection(material, at.normal, at.view);
-    const int own = (rays_ + 1) / 2, theirs = rays_ - own;
+    const int rays = std::max(rays_ / draw.fewer, 1), own = (rays + 1) / 2, theirs = rays - own;
     Vec3d sum(0.0);
     const auto add = [&](const Vec3d& light) {
         const Vec3d share = reflection(light);
         if (share == Vec3d(0.0)) return;
-        const LightSampler::Seen seen = light_(light);
+        const LightSampler::Seen seen = (*light_)(light);
         const double density = own * reflection.density(light) + theirs * seen.density;
         if (density > 0.0 && seen.light != Vec3d(0.0) && reaches(at, light))
             sum += share * seen.light / density;
@@ -72,18 +73,17 @@ Vec3d TracedLight::summed(const ShadedPoint& material, const LitPoint& at,
         const Vec3d point = lobes(i);
         add(reflection.sample(point.z, Vec2d(point)));
     }
-    for (int i = 0; i < theirs; ++i) add(light_.sample(Vec2d(sky(i))));
+    for (int i = 0; i < theirs; ++i) add(light_->sample(Vec2d(sky(i))));
     return sum;
 }
 
 double TracedLight::shadow(const Vec3d& place, const LightDraw& draw) const {
     if (!blockers_) return 0.0;
-    const int count = rays_ > 0 ? rays_ : shadow_rays;
-    const EvenPoints sky(draw, 2, count);
+    const EvenPoints sky(draw, 2, rays_);
     double whole = 0.0, blocked = 0.0;
-    for (int i = 0; i < count; ++i) {
-        const Vec3d direction = light_.sample(Vec2d(sky(i)));
-        const LightSampler::Seen seen = light_(direction);
+    for (int i = 0; i < rays_; ++i) {
+        const Vec3d direction = light_->sample(Vec2d(sky(i)));
+        const LightSampler::Seen seen = (*light_)(direction);
         if (direction.y <= 0.0 || !(seen.density > 0.0)) continue;
         const double light =
             direction.y * glm::dot(seen.light, Vec3d(0.2126, 0.7152, 0.0722)) / seen.density;

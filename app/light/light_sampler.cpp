@@ -1,6 +1,7 @@
 #include "app/light/light_sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -39,6 +40,20 @@ Chosen chosen(std::span<const double> sums, double at) {
     return {index, step > 0.0 ? std::clamp((at - before) / step, 0.0, 1.0) : 0.5};
 }
 
+/// The luminance of a pixel's part of the map, which is bilinear between the pixels' centres: a
+/// pixel beside a sun is not dark.
+double mean_luminance(const Image<RgbF>& map, std::size_t x, std::size_t y) {
+    const std::size_t width = map.width();
+    const std::array columns{(x + width - 1) % width, x, (x + 1) % width};
+    const std::array rows{y - std::min<std::size_t>(y, 1), y, std::min(y + 1, map.height() - 1)};
+    constexpr std::array shares{0.125, 0.75, 0.125};
+    double sum = 0.0;
+    for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t i = 0; i < 3; ++i)
+            sum += shares[i] * shares[j] * luminance(vec_of(map(columns[i], rows[j])));
+    return sum;
+}
+
 double step_at(std::span<const double> sums, std::size_t index) {
     return sums[index] - (index > 0 ? sums[index - 1] : 0.0);
 }
@@ -57,7 +72,7 @@ LightSampler::LightSampler(Environment environment)
     for (std::size_t y = 0; y < map.height(); ++y) {
         const double sine = std::sin(pi * (double(y) + 0.5) / double(map.height()));
         for (std::size_t x = 0; x < map.width(); ++x)
-            sums_[y / step * columns_ + x / step] += sine * luminance(vec_of(map(x, y)));
+            sums_[y / step * columns_ + x / step] += sine * mean_luminance(map, x, y);
     }
     row_sums_.resize(rows_);
     for (std::size_t y = 0; y < rows_; ++y)

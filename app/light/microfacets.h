@@ -34,6 +34,21 @@ inline double ggx(double normal_half, double alpha) {
     return a2 / (std::numbers::pi * d * d);
 }
 
+/// The mean of ggx() over a round light of this angular radius, whose middle has the half vector of
+/// these cosines. In slopes GGX is the stereographic image of an even sphere, of which a disc is a
+/// cap; the light is a disc of slopes but at a slant, where an equal area of them is taken for it.
+inline double ggx_over_disc(double normal_half, double view_half, double alpha, double radius) {
+    const double a2 = alpha * alpha, c2 = normal_half * normal_half;
+    // Towards the horizon, where slopes have no end, lobes are as flat as at a point.
+    const double upright = std::max(normal_half, 0.5);
+    const double disc2 = radius * radius / (4.0 * view_half * upright * upright * upright);
+    const double beyond = a2 + (1.0 - c2) / c2 - disc2;
+    const double root = std::sqrt(beyond * beyond + 4.0 * a2 * disc2);
+    const double mean =
+        beyond > 0.0 ? 2.0 * a2 / (root * (root + beyond)) : (root - beyond) / (2.0 * root * disc2);
+    return mean / (std::numbers::pi * c2 * c2);
+}
+
 /// Smith's masking and shadowing, height-correlated, over 4 (n.l) (n.v) (Heitz, "Understanding the
 /// Masking-Shadowing Function in Microfacet-Based BRDFs", 2014).
 inline double visibility(double normal_light, double normal_view, double alpha) {

@@ -145,8 +145,8 @@ std::vector<PaddedCube> pyramid_of(const CubeFaces& faces) {
 }  // namespace
 
 PrefilteredLight prefilter(const Environment& environment, std::size_t side) {
-    PrefilteredLight result{diffuse_harmonics(environment),
-                            {sharp_faces(reduced(environment, side), side)}};
+    const auto [sun, sky] = without_sun(environment);
+    PrefilteredLight result{sun, diffuse_harmonics(sky), {sharp_faces(reduced(sky, side), side)}};
     const Glinting parts = without_glints(result.glossy[0]);
     const std::vector<PaddedCube> pyramid = pyramid_of(parts.rest);
     std::size_t levels = 1;

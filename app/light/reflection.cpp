@@ -13,12 +13,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// The view, at least view_cosine(0) above the normal's horizon.
-Vec3d lifted(const Vec3d& view, const Vec3d& normal) {
-    const double cosine = glm::dot(normal, view), least = view_cosine(0.0);
-    return cosine >= least ? view : glm::normalize(view + (least - cosine) * normal);
-}
-
 /// The unit vector half way between two directions; the normal where they are opposite.
 Vec3d half_way(const Vec3d& light, const Vec3d& view, const Vec3d& normal) {
     const Vec3d sum = light + view;
@@ -129,6 +123,13 @@ Vec3d Reflection::sample(double which, const Vec2d& at) const {
     if (lobe == coat) return glossy_sample(coat_alpha_, coat_normal_, view_, at);
     const Vec3d light = glossy_sample(alpha_, normal_, view_, at);
     return lobe == through ? mirrored_at(light, normal_) : light;
+}
+
+Reflection::Through Reflection::through_at(const Vec2d& at) const {
+    const Vec3d mirrored = glossy_sample(alpha_, normal_, view_, at);
+    if (glm::dot(normal_, mirrored) <= 0.0) return {};
+    return {mirrored_at(mirrored, normal_),
+            below_light(mirrored) / glossy_density(alpha_, normal_, view_, mirrored)};
 }
 
 double Reflection::density(const Vec3d& light) const {

@@ -22,6 +22,13 @@ class Reflection {
     /// How many directions of sample() there are per solid angle about a direction.
     double density(const Vec3d& light) const;
 
+    /// A direction from which light comes through the surface, and the share of it that reaches the
+    /// view where directions for even `at` are averaged.
+    struct Through {
+        Vec3d direction{0.0}, share{0.0};
+    };
+    Through through_at(const Vec2d& at) const;
+
   private:
     enum Lobe : std::size_t { diffuse, glossy, coat, through };
 

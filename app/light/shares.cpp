@@ -55,6 +55,11 @@ double view_cosine(double cosine) {
     return std::clamp(cosine, 1e-4, 1.0);
 }
 
+Vec3d lifted(const Vec3d& view, const Vec3d& normal) {
+    const double cosine = glm::dot(normal, view), least = view_cosine(0.0);
+    return cosine >= least ? view : glm::normalize(view + (least - cosine) * normal);
+}
+
 Vec3d coat_normal_of(const ShadedPoint& point, const Vec3d& normal) {
     return point.coat_normal == Vec3d(0.0) ? normal : point.coat_normal;
 }

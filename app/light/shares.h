@@ -11,6 +11,9 @@ inline constexpr double coat_f0 = 0.04;
 /// A cosine of the view as surfaces count it, 1e-4 to 1.
 double view_cosine(double cosine);
 
+/// The view, at least view_cosine(0) above the normal's horizon: bumps may turn away from it.
+Vec3d lifted(const Vec3d& view, const Vec3d& normal);
+
 /// Shares of white light that glossy reflection sends back: once, and more than once (Fdez-Aguera
 /// 2019).
 struct Scattered {

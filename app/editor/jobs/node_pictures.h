@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/editor/jobs/mesh_picture.h"
+#include "app/editor/jobs/thumbnails.h"
 #include "app/editor/jobs/worker.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/image.h"
@@ -25,9 +26,12 @@ class NodePictures {
     /// `wake` is called by the drawing thread after every picture.
     explicit NodePictures(std::function<void()> wake);
 
-    /// Asks for pictures of the nodes at places of `recipe`, side x side pixels, on a ball or on
-    /// the mesh of a file (or sample:NAME), which is read when it is first wanted. A picture that
-    /// is there already is not drawn again.
+    /// Sets the light, and drops what was asked for in another. Pictures in that are shown until
+    /// they are asked for again and drawn.
+    void set_light(BallLight light);
+    /// Asks for pictures of the nodes at places of `recipe`, side x side pixels, on a ball or, of
+    /// what reads masks, on the mesh of a file (or sample:NAME), which is read when it is first
+    /// wanted. A picture that is there already is not drawn again.
     void request(const Recipe& recipe, const std::string& mesh,
                  const std::vector<std::string>& places, int side);
     /// Drops what was asked for and is not drawn yet.
@@ -42,16 +46,23 @@ class NodePictures {
     void wait() const { jobs_.wait(); }
 
   private:
-    void make(const Recipe& recipe, const std::string& mesh, const std::string& place, int side);
-    Picture drawn_on_ball(const Recipe& look, int side);
+    /// What a job draws.
+    struct Ball {
+        std::shared_ptr<const Recipe> recipe;
+        std::string mesh, place;
+        int side = 0;
+        BallLight light;
+    };
+    void make(const Ball& ball);
     Picture drawn_on_mesh(const Recipe& look, const std::string& mesh, int side);
     Picture known(const std::string& key);
 
     std::function<void()> wake_;
     mutable std::mutex mutex_;
-    // `mutex_` guards places_ and drawn_.
+    // `mutex_` guards places_, drawn_ and light_.
     std::map<std::string, Picture> places_;  ///< pictures by places
     std::map<std::string, Picture> drawn_;   ///< pictures by side and JSON of what they show
+    BallLight light_;
     // The drawing thread's alone.
     std::string mesh_path_;
     std::optional<MeshPictures> mesh_;  ///< of mesh_path_; none: not read, or it cannot be

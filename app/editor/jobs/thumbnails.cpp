@@ -47,37 +47,53 @@ std::vector<Image<Rgb8>> picture_levels(Image<Rgb8> picture) {
     return levels;
 }
 
-Image<Rgb8> ball_picture(const Recipe& recipe, int side, const std::string& filter) {
+Image<Rgb8> ball_picture(const Recipe& recipe, int side, const std::string& filter,
+                         const BallLight& light) {
     DirectOptions options;
     options.scene = "sample:icosphere";
     options.view = fmt::format("50,25,{}", filling_distance());
     options.size = fmt::format("{}x{}", side, side);
-    // An environment would have to be prefiltered for every ball.
-    options.light.light = "headlight";
+    if (!light) options.light.light = "headlight";
     if (recipe.precision.kind != PrecisionKind::fixed) options.filter = filter;
-    return DirectPicture(options)({recipe, {}});
+    return DirectPicture(options, light)({recipe, {}});
 }
 
 EditThumbnails::EditThumbnails(std::function<void()> wake) : wake_(std::move(wake)) {}
 
+void EditThumbnails::set_light(BallLight light) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (light_ == light) return;
+        light_ = std::move(light);
+        ++light_number_;
+    }
+    jobs_.cancel();
+}
+
 std::shared_ptr<const Image<Rgb8>> EditThumbnails::picture(const std::string& preset, int side) {
     const std::scoped_lock lock(mutex_);
     const Key key{preset, side};
-    const auto [place, fresh] = pictures_.try_emplace(key);
-    if (!fresh) return place->second;
-    jobs_.add([this, key](const std::stop_token&) { make(key); });
-    return nullptr;
+    Thumbnail& thumbnail = pictures_[key];
+    if (thumbnail.light != light_number_) {
+        thumbnail.light = light_number_;
+        jobs_.add([this, key, light = light_, number = light_number_](const std::stop_token&) {
+            make(key, light, number);
+        });
+    }
+    return thumbnail.picture;
 }
 
-void EditThumbnails::make(const Key& key) {
+void EditThumbnails::make(const Key& key, const BallLight& light, int number) {
     std::shared_ptr<const Image<Rgb8>> picture;
     try {
-        picture = std::make_shared<Image<Rgb8>>(ball_picture(load_recipe(key.first), key.second));
+        picture = std::make_shared<Image<Rgb8>>(
+            ball_picture(load_recipe(key.first), key.second, "trapezoid", light));
     } catch (const Error&) {  // a recipe that cannot be drawn has no thumbnail
     }
     {
         const std::scoped_lock lock(mutex_);
-        pictures_[key] = std::move(picture);
+        Thumbnail& thumbnail = pictures_[key];
+        if (thumbnail.light == number) thumbnail.picture = std::move(picture);
     }
     wake_();
 }

@@ -58,7 +58,9 @@ void EditorProgram::graph_window(const ImVec2& low, const ImVec2& size) {
     ImGui::SetNextWindowPos({low.x, low.y + border});
     ImGui::SetNextWindowSize({size.x, std::max(1.0f, size.y - border)});
     graph_.window({session_, items_}, graph_hooks());
-    if (node_gallery_) node_gallery_->follow(graph_, session_, loader_.files().mesh());
+    if (node_gallery_)
+        node_gallery_->follow(graph_, session_,
+                              {loader_.files().mesh(), viewport_.light.on_host()});
 }
 
 /// Tells over the object what is shown there in the recipe's place.

@@ -225,7 +225,7 @@ void EditorProgram::layout() {
     if (timeline) timeline_panel(context);
     place_next_window(panes.side);
     side_.window(context, baker_, loader_.posed(),
-                 {graph_, graph_hooks(), preferences_.favourites});
+                 {graph_, graph_hooks(), preferences_.favourites, viewport_.light.on_host()});
     ImGui::PopStyleVar();
     splitters(items_, wishes, panes, preferences_.panes);
     paint_panel(context, viewport_.paint.tool, panes.object.low);

@@ -14,6 +14,7 @@ void EditLight::choose(std::string_view name) {
     coming_ = {};  // waits for an environment that is no longer wanted
     if (name_ == headlight) {
         light_.reset();
+        on_host_.reset();
         return;
     }
     coming_ = std::async(std::launch::async, [environment = name_, wake = wake_] {
@@ -26,7 +27,10 @@ void EditLight::choose(std::string_view name) {
 std::shared_ptr<const GlLight> EditLight::light() {
     const bool ready =
         coming_.valid() && coming_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    if (ready) light_ = std::make_shared<const GlLight>(*gl_, coming_.get());
+    if (ready) {
+        on_host_ = std::make_shared<const PrefilteredLight>(coming_.get());
+        light_ = std::make_shared<const GlLight>(*gl_, *on_host_);
+    }
     lit_ = lit_ || !coming_.valid();
     return light_;
 }

@@ -26,6 +26,8 @@ class EditLight {
     /// The light chosen, or, until it is ready, the one before; null: the headlight. The OpenGL
     /// context must be current.
     std::shared_ptr<const GlLight> light();
+    /// What light() last returned, for the host; null: the headlight.
+    const std::shared_ptr<const PrefilteredLight>& on_host() const { return on_host_; }
 
     /// Whether the first light of all is still being prepared, before which nothing is lit.
     bool begins() const { return coming_.valid() && !light_ && !lit_; }
@@ -40,6 +42,7 @@ class EditLight {
     std::function<void()> wake_;
     std::string name_{headlight};
     std::shared_ptr<const GlLight> light_;
+    std::shared_ptr<const PrefilteredLight> on_host_;
     std::future<PrefilteredLight> coming_;
     bool lit_ = false;  ///< whether light() has returned the light chosen
 };

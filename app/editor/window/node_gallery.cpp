@@ -14,17 +14,19 @@ constexpr std::size_t most_node_textures = 600;
 
 }  // namespace
 
-void GlNodeGallery::follow(const EditGraph& graph, EditSession& session, const std::string& mesh) {
+void GlNodeGallery::follow(const EditGraph& graph, EditSession& session, const BallScene& scene) {
     if (!graph.shown || session.moving()) return;
-    if (revision_ != session.history().revision() || std::exchange(mesh_, mesh) != mesh) {
+    if (revision_ != session.history().revision() || scene_ != scene) {
         revision_ = session.history().revision();
+        scene_ = scene;
         asked_.clear();
         pictures_.cancel();
+        pictures_.set_light(scene.light);
     }
     std::vector<std::string> places;
     for (const std::string& place : graph.seen())
         if (asked_.insert(place).second) places.push_back(place);
-    if (!places.empty()) pictures_.request(session.still(), mesh, places, picture_pixels);
+    if (!places.empty()) pictures_.request(session.still(), scene.mesh, places, picture_pixels);
 }
 
 ImTextureID GlNodeGallery::picture(const GraphNodeView& node) {

@@ -15,6 +15,13 @@
 
 namespace burl {
 
+/// What pictures of nodes show them on, and the light of those on balls.
+struct BallScene {
+    std::string mesh{};  ///< a file or sample:NAME
+    BallLight light{};
+    bool operator==(const BallScene&) const = default;
+};
+
 /// Asks for pictures and uploads them. All functions are called by the user interface's thread,
 /// with the OpenGL context current.
 class GlNodeGallery {
@@ -23,9 +30,9 @@ class GlNodeGallery {
     GlNodeGallery(const GladGLContext& gl, std::function<void()> wake)
         : gl_(&gl), pictures_(std::move(wake)) {}
 
-    /// Asks for pictures of the nodes that the graph shows, on the mesh of a file, unless the
-    /// recipe is just changing.
-    void follow(const EditGraph& graph, EditSession& session, const std::string& mesh);
+    /// Asks for pictures in this light of the nodes that the graph shows, those of masks on the
+    /// mesh, unless the recipe is just changing.
+    void follow(const EditGraph& graph, EditSession& session, const BallScene& scene);
     /// The picture of a node; null: none is ready.
     ImTextureID picture(const GraphNodeView& node);
 
@@ -43,7 +50,7 @@ class GlNodeGallery {
     const GladGLContext* gl_;
     std::map<const Image<Rgb8>*, Shown> textures_;
     std::optional<std::uint64_t> revision_;  ///< of the recipe whose pictures were asked for
-    std::string mesh_;                       ///< the mesh whose pictures were asked for
+    BallScene scene_;                        ///< for which they were asked
     std::set<std::string> asked_;            ///< places that were asked for
     NodePictures pictures_;
 };

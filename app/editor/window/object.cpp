@@ -276,11 +276,25 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     scene_->draw(camera, samples, tile, shading, part);
     part_ = (part_ + 1) % std::max(part.count, bands);
     if (part_ == 0 || bands > 1) {
-        if (scene_->has_layers()) scene_->draw_blended(camera, samples, tile, shading);
+        draw_layers(options);
         draw_lines(options);
     }
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->Disable(GL_DEPTH_TEST);
+}
+
+/// Draws what blends over what the samples show.
+void GlEditObject::draw_layers(const ObjectViewOptions& options) {
+    if (!scene_->has_layers()) return;
+    const PictureSize samples = sample_size(options);
+    const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
+    const GlShading shading = shading_of(options);
+    if (!options.every_layer)
+        return scene_->draw_blended(camera, samples, {0, 0, samples.width, samples.height},
+                                    shading);
+    if (!layers_) layers_.emplace(*gl_);
+    layers_->draw(*scene_, camera, shading, *samples_);
+    gl_->Enable(GL_DEPTH_TEST);
 }
 
 void GlEditObject::draw_lines(const ObjectViewOptions& options) {

@@ -11,6 +11,7 @@
 #include "app/editor/jobs/coarse.h"
 #include "app/editor/jobs/front_buffer.h"
 #include "app/editor/tools/view.h"
+#include "app/editor/window/layers.h"
 #include "app/editor/window/lines.h"
 #include "app/editor/window/places.h"
 #include "app/gl/device/objects.h"
@@ -53,7 +54,8 @@ struct ObjectViewOptions {
     int supersample = 1;  ///< samples per side of a pixel: 1 while anything moves, 2 at rest
     /// Whether coarse surfaces are drawn in the place of a large one, where there are any.
     bool coarse = false;
-    bool half = false;  ///< whether half as many pixels a side are drawn
+    bool half = false;         ///< whether half as many pixels a side are drawn
+    bool every_layer = false;  ///< of what blends, or back faces and front faces alone
     bool operator==(const ObjectViewOptions&) const = default;
 };
 
@@ -117,6 +119,7 @@ class GlEditObject {
     void find_places(const ObjectViewOptions& options, const DrawPart& part);
     void draw_pixels(const ObjectViewOptions& options);
     void draw_samples(const ObjectViewOptions& options);
+    void draw_layers(const ObjectViewOptions& options);
     void draw_lines(const ObjectViewOptions& options);
     void draw_coarse(const ObjectViewOptions& options);
     void encode(const ObjectViewOptions& options);
@@ -138,6 +141,7 @@ class GlEditObject {
     std::map<int, GlEditTexture> textures_;        ///< of the scene, by their numbers
     std::shared_ptr<const EditPicture> picture_;
     GlEditLines lines_;
+    std::optional<GlEditLayers> layers_;          ///< made when they are first drawn
     std::shared_ptr<const Image<Rgb8>> normals_;  ///< normal map on the graphics processor
     /// The samples, for views that need a downsampling pass, and the view's pixels, all and half as
     /// many a side.

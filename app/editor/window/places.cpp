@@ -7,10 +7,10 @@ namespace burl {
 
 namespace {
 
-GlRenderbuffer make_depth(const GladGLContext& gl, const PictureSize& size) {
+GlRenderbuffer make_depth(const GladGLContext& gl, const PictureSize& size, GLenum format) {
     GlRenderbuffer depth(gl);
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth.get());
-    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size.width, size.height);
+    gl.RenderbufferStorage(GL_RENDERBUFFER, format, size.width, size.height);
     return depth;
 }
 
@@ -21,9 +21,10 @@ void attach_depth(const GladGLContext& gl, const GlTarget& target, const GlRende
 
 }  // namespace
 
-GlDepthTarget::GlDepthTarget(const GladGLContext& gl, const PictureSize& size, GLenum format)
+GlDepthTarget::GlDepthTarget(const GladGLContext& gl, const PictureSize& size, GLenum format,
+                             GLenum depth_format)
     : colors(gl, {size.width, size.height}, {format}),
-      depth_(std::make_shared<const GlRenderbuffer>(make_depth(gl, size))) {
+      depth_(std::make_shared<const GlRenderbuffer>(make_depth(gl, size, depth_format))) {
     attach_depth(gl, colors, *depth_);
 }
 

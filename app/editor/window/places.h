@@ -17,7 +17,8 @@ struct DrawPart;
 /// A colour target with a depth buffer.
 class GlDepthTarget {
   public:
-    GlDepthTarget(const GladGLContext& gl, const PictureSize& size, GLenum format);
+    GlDepthTarget(const GladGLContext& gl, const PictureSize& size, GLenum format,
+                  GLenum depth_format = GL_DEPTH_COMPONENT24);
     /// Shares the depth buffer of another target of the same size.
     GlDepthTarget(const GladGLContext& gl, const GlDepthTarget& other, GLenum format);
 

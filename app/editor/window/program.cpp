@@ -238,7 +238,8 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     follow_opening();
 }
 
-/// Holds background work that can wait while a mesh is being opened and needs the processors.
+/// Holds background work that can wait while a mesh is being opened and needs the processors, or
+/// that waits for a light.
 void EditorProgram::follow_opening() {
     const GlEditObject& object = viewport_.object();
     const bool is_seen = !object.uploading() && object.picture() == baker_.front().picture().get();
@@ -247,8 +248,10 @@ void EditorProgram::follow_opening() {
     if (opening_ && !opening) rest_.ask(2);
     opening_ = opening;
     baker_.hold_jobs(opening_);
-    side_.hold(opening_);
-    if (node_gallery_) node_gallery_->hold(opening_);
+    // Balls wait for the light that they are drawn in.
+    const bool held = opening_ || !viewport_.light.idle();
+    side_.hold(held);
+    if (node_gallery_) node_gallery_->hold(held);
 }
 
 std::string EditorProgram::title() const {
@@ -332,6 +335,7 @@ void EditorProgram::settle() {
     baker_.wait();
     show_all();
     viewport_.wait();
+    frame({});
     side_.wait();
     if (node_gallery_) node_gallery_->wait();
     atlas_.wait();

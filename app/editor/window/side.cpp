@@ -68,15 +68,20 @@ TabLabels labels_with_room(const std::string& front, bool with_node) {
 }  // namespace
 
 ImTextureID GlEditGallery::picture(const std::string& preset, int side) {
-    const std::pair key(preset, side);
-    if (const auto found = textures_.find(key); found != textures_.end())
-        return imgui_texture(found->second);
     const auto image = thumbnails_.picture(preset, side);
     if (!image) return nullptr;
-    GlTexture texture = upload_levels(*gl_, picture_levels(*image), GL_RGB8);
-    const ImTextureID id = imgui_texture(textures_.emplace(key, std::move(texture)).first->second);
-    shown_.insert(id);
-    return id;
+    const std::pair key(preset, side);
+    auto found = textures_.find(key);
+    if (found == textures_.end() || found->second.picture != image) {
+        Shown shown{image, upload_levels(*gl_, picture_levels(*image), GL_RGB8)};
+        if (found != textures_.end()) {
+            shown_.erase(imgui_texture(found->second.texture));
+            shown.before = std::move(found->second.texture);
+        }
+        found = textures_.insert_or_assign(key, std::move(shown)).first;
+        shown_.insert(imgui_texture(found->second.texture));
+    }
+    return imgui_texture(found->second.texture);
 }
 
 SidePanels::SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake)
@@ -110,7 +115,8 @@ bool SidePanels::begin_tab(EditItems& items, const Tab& tab, bool front) {
 
 void SidePanels::window(const PanelContext& context, const EditBaker& baker, bool posed,
                         const SideParts& parts) {
-    const auto& [graph, hooks, favourites] = parts;
+    const auto& [graph, hooks, favourites, light] = parts;
+    if (gallery_) gallery_->set_light(light);
     const auto tab = [&](const Tab& one, auto panel, bool front = false) {
         if (!begin_tab(context.items, one, front)) return;
         if (ImGui::BeginChild(one.name)) panel();

@@ -31,6 +31,8 @@ class GlEditGallery {
     /// The thumbnail of a preset, side x side pixels, drawn in the background when first asked for
     /// (app/editor/jobs/thumbnails.h); null: not ready. The OpenGL context must be current.
     ImTextureID picture(const std::string& preset, int side);
+    /// Sets the light of thumbnails that are asked for from now on.
+    void set_light(const BallLight& light) { thumbnails_.set_light(light); }
 
     /// Whether the texture is a thumbnail's, whose texels never change.
     bool lasts(ImTextureID texture) const { return shown_.contains(texture); }
@@ -39,8 +41,14 @@ class GlEditGallery {
     void wait() const { thumbnails_.wait(); }
 
   private:
+    struct Shown {
+        std::shared_ptr<const Image<Rgb8>> picture;
+        GlTexture texture;
+        std::optional<GlTexture> before{};  ///< of another light; the frame may show it already
+    };
+
     const GladGLContext* gl_;
-    std::map<std::pair<std::string, int>, GlTexture> textures_;
+    std::map<std::pair<std::string, int>, Shown> textures_;
     std::set<ImTextureID> shown_;  ///< all of `textures_`
     EditThumbnails thumbnails_;
 };
@@ -50,6 +58,7 @@ struct SideParts {
     EditGraph& graph;
     GraphHooks hooks;
     std::set<std::string>& favourites;  ///< the library's
+    BallLight light;                    ///< of the thumbnails
 };
 
 /// The labels of tabs: their names, icons with the name of the one in front, or icons alone.

@@ -138,6 +138,7 @@ ObjectViewOptions ObjectViewport::options(const PictureSize& size, bool rough) c
     options.edges = atlas_.edges;
     options.borders = atlas_.borders;
     options.supersample = rough ? 1 : 2;
+    options.every_layer = !rough && !is_software_;  // 1 to 3 s by the processor
     options.coarse = rough;
     options.half = rough && is_software_ && !object_.has_coarse() &&
                    (moving_camera_ || !object_.keeps_places(options));

@@ -48,6 +48,7 @@ GlTexture upload(const GladGLContext& gl, const Image<Pixel>& image, GLint wrap_
 
 GlLight::GlLight(const GladGLContext& gl, const PrefilteredLight& light)
     : gl_(gl),
+      sun_(light.sun),
       glossy_(gl),
       table_(upload(gl, reflectance_table(), GL_CLAMP_TO_EDGE)),
       diffuse_(light.diffuse),
@@ -64,6 +65,9 @@ void GlLight::use(const GlProgram& program) const {
     program.set("glossy", glossy_unit);
     bind_texture(gl_, program, "reflectances", table_unit, table_);
     program.set("last_level", float(last_level_));
+    program.set("sun_direction", sun_.direction);
+    program.set("sun_light", sun_.light);
+    program.set("sun_radius", sun_.radius);
     gl_.Uniform3fv(program.uniform("diffuse"), GLsizei(diffuse_.size()), &diffuse_[0].x);
 }
 

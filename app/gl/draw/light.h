@@ -20,9 +20,11 @@ class GlLight {
 
     /// Binds the light to the program in use, which follows draw/light.glsl.
     void use(const GlProgram& program) const;
+    bool has_sun() const { return sun_.shines(); }
 
   private:
     const GladGLContext& gl_;
+    Sun sun_;
     GlTexture glossy_, table_;
     std::array<Vec3f, 9> diffuse_;
     int last_level_;

@@ -279,6 +279,7 @@ GlScenePrograms::Look GlScene::look_of(const GlSurface& surface, GlScenePrograms
     look.in_blocks = look.levels && surface.in_blocks();
     if (material.unlit) look.lit = false;
     look.ambient &= look.lit;
+    look.sun &= look.ambient;
     if (!look.ambient) return look;
     look.clearcoat = material.clearcoat > 0.0f;
     look.sheen = material.sheen != Vec3f(0.0f);
@@ -319,6 +320,7 @@ void GlScene::draw_surfaces(const TileView& view, GlScenePrograms::Look look,
                             const GlShading& shading, Drawn drawn, const DrawPart& part) const {
     look.lit = shading.lit;
     look.ambient = shading.light != nullptr;
+    look.sun = shading.light && shading.light->has_sun();
     for (const GlSurface& surface : surfaces_)
         if (draws(surface, drawn)) draw_surface(surface, view, look, shading, part);
     check_gl(gl_, "drawing");

@@ -28,7 +28,7 @@ ShadedPoint white_paper() {
 }
 
 LitPoint facing_up(const Vec3d& place) {
-    return {place, {0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}, glm::normalize(Vec3d(0.3, 1.0, 0.2))};
+    return {place, place, {0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}, glm::normalize(Vec3d(0.3, 1.0, 0.2))};
 }
 
 /// The mean over several points' draws.
@@ -81,17 +81,23 @@ TEST(TracedLight, ABallsShadowIsItsFormFactor) {
     EXPECT_NEAR(light.shadow({300.0, 0.0, 0.0}, {3, 0}), 0.0, 0.01);
 }
 
-TEST(TracedLight, WhatComesThroughIsNotBlockedByTheSurfaceItself) {
-    const Blockers ball(sphere_mesh(24, 48));
-    const TracedLight light(room_of(1.0f), 256, &ball);
+TEST(TracedLight, WhatStandsBehindHidesTheRoomButNotTheSurfaceItself) {
+    const Mesh mesh = wall_mesh(0.0, 1000.0);
+    const Blockers wall(mesh);
+    const TracedLight light(room_of(1.0f), 256, &wall);
     ShadedPoint glass;
     glass.transmission = 1.0, glass.roughness = 0.1;
-    EXPECT_NEAR(mean_light(light, glass, facing_up({0.0, 1.01, 0.0})).x, 1.0, 0.01);
+    LitPoint at = facing_up({});
+    at.normal = at.smooth = at.view = {1.0, 0.0, 0.0};
+    at.place = {0.001, 500.0, 0.0}, at.behind = {-0.001, 500.0, 0.0};
+    EXPECT_NEAR(mean_light(light, glass, at).x, 1.0, 0.01);
+    at.behind = at.place;
+    EXPECT_NEAR(mean_light(light, glass, at).x, dielectric_f0(1.5), 0.01);
 }
 
-TEST(TracedLight, WithoutRaysItIsTheAmbientShading) {
+TEST(TracedLight, SmoothLightIsTheAmbientShading) {
     const Environment studio = make_environment("studio", 64);
-    const TracedLight light(studio, 0, nullptr);
+    const TracedLight light(std::make_shared<const PrefilteredLight>(prefilter(studio)));
     ShadedPoint gold;
     gold.base = {1.0, 0.7, 0.3}, gold.metallic = 1.0, gold.roughness = 0.4;
     const LitPoint at = facing_up({});
@@ -105,7 +111,8 @@ TEST(TracedLight, WithoutRaysItIsTheAmbientShading) {
 /// is about the same.
 TEST(TracedLight, PrefilteredLightIsNearIt) {
     const Environment room = make_environment("neutral", 64);
-    const TracedLight summed(room, 1024, nullptr), smooth(room, 0, nullptr);
+    const TracedLight summed(room, 1024, nullptr),
+        smooth(std::make_shared<const PrefilteredLight>(prefilter(room)));
     for (const double roughness : {0.1, 0.5, 1.0})
         for (const double metallic : {0.0, 1.0}) {
             ShadedPoint point;

@@ -13,6 +13,7 @@
 #include "app/recipe/edit/images.h"
 #include "app/surface/sample_meshes.h"
 #include "tests/app/editor/window/fixture.h"
+#include "tests/app/support/sample_scene.h"
 
 namespace burl {
 namespace {
@@ -41,9 +42,10 @@ class GlEditLightTest : public GlTest {
                                                 prefilter(make_environment("studio", 64), 32));
     }
 
-    Image<Rgb8> edited(const Recipe& recipe) {
+    Image<Rgb8> edited(const Recipe& recipe, Mesh mesh = sample_mesh("sample:icosphere"),
+                       bool every_layer = false) {
         EditBaker baker([] {});
-        baker.set_mesh(sample_mesh("sample:icosphere", {}));
+        baker.set_mesh(std::move(mesh));
         baker.request(recipe, false);
         baker.wait();
         GlEditObject object(context->gl());
@@ -52,6 +54,7 @@ class GlEditLightTest : public GlTest {
         options.size = {size.width, size.height};
         options.light = light;
         options.supersample = 2;
+        options.every_layer = every_layer;
         object.draw(options);
         const auto codes = object.target()->read<std::uint8_t>();
         Image<Rgb8> picture{std::size_t(size.width), std::size_t(size.height)};
@@ -63,8 +66,8 @@ class GlEditLightTest : public GlTest {
         return picture;
     }
 
-    Image<Rgb8> rendered(const Recipe& recipe) {
-        Pipeline pipeline(sample_mesh("sample:icosphere", {}));
+    Image<Rgb8> rendered(const Recipe& recipe, Mesh mesh = sample_mesh("sample:icosphere")) {
+        Pipeline pipeline(std::move(mesh));
         pipeline.set_recipe(recipe);
         LazyOptions options;
         options.picture.size = size;
@@ -86,6 +89,32 @@ TEST_F(GlEditLightTest, ShowsWhatIsTransparentOverTheBackground) {
     const Recipe recipe =
         material_of(R"(, "opacity": {"node": "multiply", "a": 0.7, "b": "grain"})");
     EXPECT_GT(diff_images(edited(recipe), rendered(recipe)).psnr_db, 35.0);
+}
+
+/// Balls within balls, of which the innermost one's triangles come last: in their order it would be
+/// seen over the others.
+Mesh nested_balls() {
+    const Mesh ball = sample_mesh("sample:icosphere");
+    Mesh mesh;
+    mesh.positions = ball.positions, mesh.triangles = ball.triangles;
+    for (const double size : {0.75, 0.5}) {
+        const auto first = std::uint32_t(mesh.positions.size());
+        for (const Vec3d& p : ball.positions) mesh.positions.push_back(size * p);
+        for (const Triangle& t : ball.triangles)
+            mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    add_whole_part(mesh);
+    return mesh;
+}
+
+TEST_F(GlEditLightTest, ShowsEveryLayerOfWhatBlends) {
+    const Recipe recipe = material_of(R"(, "opacity": 0.35)");
+    const Image<Rgb8> truth = rendered(recipe, nested_balls());
+    const auto psnr = [&](bool every_layer) {
+        return diff_images(edited(recipe, nested_balls(), every_layer), truth).psnr_db;
+    };
+    EXPECT_GT(psnr(true), 45.0);
+    EXPECT_LT(psnr(false), 42.0);
 }
 
 /// A number of the material that no picture has, and a channel that begins to vary.
