@@ -25,7 +25,7 @@ Environment sphere_of(double (*light)(const Vec3d&)) {
 }
 
 double diffuse_at(const Environment& e, const Vec3d& normal) {
-    return diffuse_light({diffuse_harmonics(e), {}}, glm::normalize(normal)).y;
+    return diffuse_light({{}, diffuse_harmonics(e), {}}, glm::normalize(normal)).y;
 }
 
 const Vec3d normals[] = {{1.0, 0.0, 0.0},  {0.0, 1.0, 0.0},   {0.0, 0.0, 1.0},

@@ -83,7 +83,7 @@ TEST(BallLight, ChangesTheBallsOfNodes) {
             "amount": {"node": "fbm"}}})",
         "test");
     const auto drawn = [&] {
-        pictures.request(recipe, {"texture"}, 32);
+        pictures.request(recipe, "", {"texture"}, 32);
         pictures.wait();
         return pictures.picture("texture");
     };
