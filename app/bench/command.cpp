@@ -33,7 +33,7 @@ struct Suite {
 constexpr std::array suites{
     Suite{"atlas", "--repeats --large --json", "faces", 12, 10'000'000, "1,000 to 100,000"},
     Suite{"economy", "--repeats --json --simd --gl", "texels a side", 128, 4096, "1,024", true},
-    Suite{"editor", "--json --simd", "texels a side", 64, 4096, "1,024"},
+    Suite{"editor", "--json --simd --gl", "texels a side", 64, 4096, "1,024"},
     Suite{"filter", "--repeats --json --simd", "texels a side", 8, 4096, "256"},
     Suite{"forward", "--repeats --json --simd", "texels a side of the cubes' faces", 2,
           batch_capacity, "256"},

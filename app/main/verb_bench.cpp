@@ -76,7 +76,7 @@ void add_bench(CLI::App& program) {
                      "Instruction set of the kernels instead of the best this machine has, as "
                      "AVX2");
     verb->add_option("--gl", command->gl,
-                     "gl, economy: osmesa (software) or egl (a graphics processor)")
+                     "gl, economy, editor: osmesa (software) or egl (a graphics processor)")
         ->capture_default_str();
     verb->add_flag("--thorough", command->thorough,
                    "stability: every case there is, some minutes and 2 GB");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
@@ -23,10 +24,10 @@ namespace {
 
 /// The results of one drag.
 struct EditorBench {
-    std::string what{};  ///< widget that was dragged
-    std::string light{};
-    std::uint32_t side = 0;  ///< side of the texture in texels
-    double seconds = 0.0;    ///< duration of the drag
+    std::string what{};         ///< widget that was dragged
+    std::string light{}, by{};  ///< the light, and who makes the texture
+    std::uint32_t side = 0;     ///< side of the texture in texels
+    double seconds = 0.0;       ///< duration of the drag
     std::size_t events = 0, frames = 0, textures = 0;
     std::size_t dropped_frames = 0;  ///< display refreshes without a new frame
     /// Time from an event to the end of the first frame that shows its texture or a later one, over
@@ -197,14 +198,16 @@ double share_of_finest(const EditorBench& row) {
 }
 
 /// Drags sliders and a colour stop of marble on the teapot for four seconds each, with 60 events a
-/// second, in an offscreen window drawn by OSMesa: all in software, on the machine's own threads.
-/// Throws Error as EditorProgram does.
-std::vector<EditorBench> bench_editor(std::uint32_t side, const std::string& light) {
+/// second, in an offscreen window, with OSMesa all in software on the machine's own threads. Throws
+/// Error as EditorProgram does.
+std::vector<EditorBench> bench_editor(const std::string& platform, std::uint32_t side,
+                                      const std::string& light, EditSynthesis by) {
     EditorOptions options;
     options.light = light;
+    options.synthesis = by;
     options.mesh = "sample:teapot";
     options.settings = {fmt::format("atlas.size={}", side)};
-    auto owned = std::make_unique<BenchWindow>(create_osmesa_context(), glm::ivec2(1280, 800));
+    auto owned = std::make_unique<BenchWindow>(create_gl_context(platform), glm::ivec2(1280, 800));
     BenchWindow& window = *owned;
     EditorProgram editor(std::move(owned), options);
     std::vector<EditorBench> rows;
@@ -217,6 +220,7 @@ std::vector<EditorBench> bench_editor(std::uint32_t side, const std::string& lig
         EditorBench bench;
         bench.what = subject.item;
         bench.light = light;
+        bench.by = to_string(by);
         bench.side = side;
         Drag(editor, window, subject, bench).run(4.0);
         bench.idle_share = idle_share(editor, window);
@@ -228,6 +232,7 @@ std::vector<EditorBench> bench_editor(std::uint32_t side, const std::string& lig
 Json drag_json(const EditorBench& bench) {
     return {{"dragged", bench.what},
             {"light", bench.light},
+            {"texture_by", bench.by},
             {"side", bench.side},
             {"events", bench.events},
             {"frames_per_second", double(bench.frames) / bench.seconds},
@@ -258,12 +263,13 @@ void print_drags(const std::vector<EditorBench>& rows) {
                                 std::array{"processor", "ms/texture"},
                                 std::array{"idle", "%"}};
     for (const std::size_t line : {0, 1}) {
-        fmt::print("{:<34}{:<10}", line == 0 ? "dragged" : "", line == 0 ? "light" : "");
+        fmt::print("{:<34}{:<10}{:<5}", line == 0 ? "dragged" : "", line == 0 ? "light" : "",
+                   line == 0 ? "by" : "");
         for (const auto& title : titles) fmt::print(" {:>10}", title[line]);
         fmt::print("\n");
     }
     for (const EditorBench& row : rows) {
-        fmt::print("{:<34}{:<10}", row.what, row.light);
+        fmt::print("{:<34}{:<10}{:<5}", row.what, row.light, row.by);
         for (const double figure :
              {double(row.textures) / row.seconds, 100.0 * share_of_finest(row),
               double(row.frames) / row.seconds, double(row.dropped_frames), row.latency.median,
@@ -272,22 +278,26 @@ void print_drags(const std::vector<EditorBench>& rows) {
             fmt::print(" {:>10.1f}", figure);
         fmt::print("\n");
     }
+    std::fflush(stdout);  // minutes pass until the next
 }
 
 }  // namespace
 
 void run_editor_bench(const BenchCommand& command) {
     const auto side = std::uint32_t(command.size_or(1024));
-    std::vector<EditorBench> drags = bench_editor(side, "headlight");
-    for (EditorBench& row : bench_editor(side, "studio")) drags.push_back(std::move(row));
-    const std::vector<FramesBench> frames = bench_frames(side);
     Json rows = Json::array();
-    for (const EditorBench& row : drags) rows.push_back(drag_json(row));
+    for (const EditSynthesis by : {EditSynthesis::host, EditSynthesis::gl}) {
+        if (by == EditSynthesis::gl && command.gl == "osmesa") continue;  // the host's processor
+        for (const char* light : {"headlight", "studio"}) {
+            const std::vector<EditorBench> drags = bench_editor(command.gl, side, light, by);
+            for (const EditorBench& row : drags) rows.push_back(drag_json(row));
+            if (!command.json) print_drags(drags);
+        }
+    }
+    const std::vector<FramesBench> frames = bench_frames(command.gl, side);
     for (const FramesBench& row : frames) rows.push_back(frames_json(row));
     write_report(command, rows);
-    if (command.json) return;
-    print_drags(drags);
-    print_frames(frames);
+    if (!command.json) print_frames(frames);
 }
 
 }  // namespace burl

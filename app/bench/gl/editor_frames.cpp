@@ -22,14 +22,16 @@ constexpr glm::dvec2 over_object{400.0, 400.0}, over_panels{1050.0, 400.0},
 /// The editor in a window of its own, and what its frames took.
 class FramesOf {
   public:
-    FramesOf(const std::string& mesh, std::uint32_t side, const std::string& light)
+    FramesOf(const std::string& platform, const std::string& mesh, std::uint32_t side,
+             const std::string& light)
         : light_(light) {
         EditorOptions options;
         options.mesh = mesh;
         options.settings = {fmt::format("atlas.size={}", side)};
         options.light = light;
         options.gallery = mesh.starts_with("sample:");  // its pictures take half a minute
-        auto window = std::make_unique<BenchWindow>(create_osmesa_context(), glm::ivec2(1280, 800));
+        auto window =
+            std::make_unique<BenchWindow>(create_gl_context(platform), glm::ivec2(1280, 800));
         window_ = window.get();
         editor_ = std::make_unique<EditorProgram>(std::move(window), options);
         play(R"({"settle": true})");
@@ -123,16 +125,17 @@ class FramesOf {
 
 // Dear ImGui has one context, so that one editor lives at a time.
 
-void turn_teapot(std::uint32_t side, const std::string& light, std::vector<FramesBench>& rows) {
-    FramesOf teapot("sample:teapot", side, light);
+void turn_teapot(const std::string& platform, std::uint32_t side, const std::string& light,
+                 std::vector<FramesBench>& rows) {
+    FramesOf teapot(platform, "sample:teapot", side, light);
     rows.push_back(teapot.run("teapot turns, library open", "", over_object, true, 2.0));
     rows.push_back(teapot.run("over the library", "", over_panels, false, 2.0));
     teapot.play(R"({"click": "tab:Log"}, {"settle": true}, {"wait": 3})");
     rows.push_back(teapot.run("teapot turns", "", over_object, true, 2.0));
 }
 
-void open_panels(std::uint32_t side, std::vector<FramesBench>& rows) {
-    FramesOf teapot("sample:teapot", side, "headlight");
+void open_panels(const std::string& platform, std::uint32_t side, std::vector<FramesBench>& rows) {
+    FramesOf teapot(platform, "sample:teapot", side, "headlight");
     teapot.play(R"({"click": "tab:Log"}, {"wait": 3})");
     rows.push_back(
         teapot.run("the library opens", R"({"click": "tab:Library"})", over_panels, false, 1.0));
@@ -142,17 +145,17 @@ void open_panels(std::uint32_t side, std::vector<FramesBench>& rows) {
 
 }  // namespace
 
-std::vector<FramesBench> bench_frames(std::uint32_t side) {
+std::vector<FramesBench> bench_frames(const std::string& platform, std::uint32_t side) {
     std::vector<FramesBench> rows;
     const BenchFolder folder;
     const std::string large = folder.path / "sphere.ply";
     write_bench_ply(large, bumpy_sphere(million));
     for (const char* light : {"headlight", "studio"}) {
-        turn_teapot(side, light, rows);
-        rows.push_back(
-            FramesOf(large, side, light).run("a million faces turn", "", over_object, true, 2.0));
+        turn_teapot(platform, side, light, rows);
+        rows.push_back(FramesOf(platform, large, side, light)
+                           .run("a million faces turn", "", over_object, true, 2.0));
     }
-    open_panels(side, rows);
+    open_panels(platform, side, rows);
     return rows;
 }
 

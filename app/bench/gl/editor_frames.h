@@ -22,10 +22,10 @@ struct FramesBench {
     double idle_share = 0.0, idle_frames = 0.0;
 };
 
-/// Plays in an offscreen window drawn by OSMesa, under the headlight and under an environment: the
+/// Plays in an offscreen window, under the headlight and under an environment: the
 /// teapot in marble of a texture `side` texels a side and a mesh of a million faces turn for two
 /// seconds; the library and the graph open and are moved over. Throws Error.
-std::vector<FramesBench> bench_frames(std::uint32_t side);
+std::vector<FramesBench> bench_frames(const std::string& platform, std::uint32_t side);
 
 Json frames_json(const FramesBench& bench);
 void print_frames(const std::vector<FramesBench>& rows);
