@@ -289,7 +289,9 @@ TEST_F(GlEditGraph, ALayersMaskIsPaintedOnTheObject) {
     pipeline.set_recipe(recipe);
     EXPECT_EQ(editor->baker().front().picture()->texels, pipeline.synthesize<Rgb8>());
     // Another node begins a mask of its own; the brush's window goes back to the first.
-    play(*editor, R"({"key": "N"}, {"wait": 3}, {"click": "tree:texture.top"}, {"key": "Insert"}, {"type": "paint"},
+    play(
+        *editor,
+        R"({"key": "N"}, {"wait": 3}, {"click": "tree:texture.top"}, {"key": "Insert"}, {"type": "paint"},
                      {"key": "Enter"}, {"wait": 3})");
     EXPECT_EQ(graph.nodes[*graph.find(editor->graph().model().current())].json["layer"], 2);
     play(*editor, R"({"click": "node paint"}, {"wait": 3})");
