@@ -11,6 +11,7 @@
 #include "app/base/messages.h"
 #include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
+#include "app/recipe/spelling.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 
@@ -135,7 +136,7 @@ Json joined_edits(const Json& defaults, const Json& entry) {
     const Json own = list(entry);
     const auto path = [](const Json& edit) {
         const std::string text = edit.is_string() ? edit.get<std::string>() : "";
-        return text.substr(0, text.find('='));
+        return respelled_path(text.substr(0, text.find('=')));
     };
     Json edits = Json::array();
     for (const Json& edit : list(defaults))

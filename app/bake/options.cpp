@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +35,61 @@ void add_kernel(CLI::App& verb, std::string& kernel) {
             "texel in float64, the same as --precision float64")
         ->check(one_of(names))
         ->capture_default_str();
+}
+
+/// Adds who makes the texture, and how OpenGL does.
+void add_synthesis(CLI::App& verb, BakeCommand& command) {
+    verb.add_option("--synth", command.synth,
+                    "Who makes the texture: host, gl (OpenGL, the same texture), gl-multipass (the "
+                    "papers' passes), or auto, which is gl where a graphics processor is behind "
+                    "--gl and faster, by a measurement")
+        ->check(one_of({"host", "gl", multipass_synth, "auto"}))
+        ->capture_default_str();
+    verb.add_option("--gl", command.platform,
+                    "OpenGL of --synth: osmesa (software, the default) or egl (a graphics "
+                    "processor)")
+        ->check(one_of(std::vector<std::string>(gl_platforms().begin(), gl_platforms().end())));
+    verb.add_option("--gl-precision", command.gl_precision,
+                    "Images of --synth gl-multipass: 32f (the default), 16f or 8 bits a channel")
+        ->check(one_of({"32f", "16f", "8"}));
+    verb.add_option("--gl-randomizer", command.gl_randomizer,
+                    "Random numbers of --synth gl-multipass: hash (the default, as on the host), "
+                    "table, or bits (8 bits only)")
+        ->check(one_of({"hash", "table", "bits"}));
+    verb.add_flag("--gl-equalize", command.gl_equalize,
+                  "Make the Gaussian numbers of --gl-randomizer bits white");
+}
+
+/// A validator of words between commas.
+CLI::Validator list_of(const std::vector<std::string>& words) {
+    return {[word = one_of(words)](std::string& text) {
+                if (text.empty() || text.ends_with(','))
+                    return fmt::format("\"{}\" ends without a word", text);
+                for (std::size_t begin = 0; begin < text.size();) {
+                    const std::size_t end = std::min(text.find(',', begin), text.size());
+                    std::string one = text.substr(begin, end - begin);
+                    if (std::string wrong = word(one); !wrong.empty()) return wrong;
+                    begin = end + 1;
+                }
+                return std::string();
+            },
+            ""};
+}
+
+/// Adds --channels, a list of masks.
+void add_channels(CLI::App& verb, BakeCommand& command) {
+    const auto take = [&command](const std::vector<std::string>& lists) {
+        for (const std::string& list : lists)
+            std::ranges::move(CLI::detail::split(list, ','), std::back_inserter(command.channels));
+    };
+    const auto masks = mask_picture_names();
+    verb.add_option_function<std::vector<std::string>>(
+            "--channels", take,
+            "Masks of the mesh's shape to write as NAME_MASK.png, separated by commas: "
+            "occlusion, curvature, thickness, facing, height_in_box, edge_distance, part, "
+            "lighting")
+        ->check(list_of({masks.begin(), masks.end()}))
+        ->excludes("--compress");
 }
 
 /// Adds the options of normal maps and of a material's pictures.
@@ -105,14 +161,7 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
                     "Write every texel's solid point and triangle to this .exr file, for shaders "
                     "elsewhere")
         ->excludes("--compress");
-    const auto masks = mask_picture_names();
-    verb.add_option("--channels", command.channels,
-                    "Masks of the mesh's shape to write as NAME_MASK.png, separated by commas: "
-                    "occlusion, curvature, thickness, facing, height_in_box, edge_distance, part, "
-                    "lighting")
-        ->delimiter(',')
-        ->check(one_of(std::vector<std::string>(masks.begin(), masks.end())))
-        ->excludes("--compress");
+    add_channels(verb, command);
     for (const char* option : {"--levels", "--compress", "--solid-map", "--channels"})
         verb.get_option("--frames")->excludes(verb.get_option(option));
     verb.add_option(
@@ -120,25 +169,7 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
         "Write the whole material as a GLSL 3.30 fragment shader to this file, for engines");
     add_pictures(verb, command);
     add_kernel(verb, command.kernel);
-    verb.add_option("--synth", command.synth,
-                    "Who makes the texture: host, gl (OpenGL, the same texture), gl-multipass (the "
-                    "papers' passes), or auto, which is gl where a graphics processor is behind "
-                    "--gl and faster, by a measurement")
-        ->check(one_of({"host", "gl", multipass_synth, "auto"}))
-        ->capture_default_str();
-    verb.add_option("--gl", command.platform,
-                    "OpenGL of --synth: osmesa (software, the default) or egl (a graphics "
-                    "processor)")
-        ->check(one_of(std::vector<std::string>(gl_platforms().begin(), gl_platforms().end())));
-    verb.add_option("--gl-precision", command.gl_precision,
-                    "Images of --synth gl-multipass: 32f (the default), 16f or 8 bits a channel")
-        ->check(one_of({"32f", "16f", "8"}));
-    verb.add_option("--gl-randomizer", command.gl_randomizer,
-                    "Random numbers of --synth gl-multipass: hash (the default, as on the host), "
-                    "table, or bits (8 bits only)")
-        ->check(one_of({"hash", "table", "bits"}));
-    verb.add_flag("--gl-equalize", command.gl_equalize,
-                  "Make the Gaussian numbers of --gl-randomizer bits white");
+    add_synthesis(verb, command);
 }
 
 void add_run_options(CLI::App& verb, BakeCommand& command) {

@@ -6,6 +6,10 @@
 #include <bit>
 #include <filesystem>
 #include <iterator>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/compile.h>
@@ -238,15 +242,40 @@ std::vector<AtomicFile> write_files(const SceneContent& content, const Mesh& mes
     return files;
 }
 
-}  // namespace
+/// The image with alpha 0 or 1: MTL has no cutoff.
+BakedImage cut(BakedImage image, double cutoff) {
+    const auto cut_pixels = [cutoff]<class Pixel>(Image<Pixel>& pixels) {
+        if constexpr (std::is_same_v<Pixel, Rgba8> || std::is_same_v<Pixel, Rgba16>) {
+            constexpr auto full = std::numeric_limits<decltype(Pixel::a)>::max();
+            pixels = converted<Pixel>(pixels, [&](Pixel p) {
+                p.a = double(p.a) >= cutoff * double(full) ? full : decltype(Pixel::a)(0);
+                return p;
+            });
+        }
+    };
+    std::visit(cut_pixels, image);
+    return image;
+}
 
-std::vector<AtomicFile> write_obj(const SceneContent& content) {
+std::vector<AtomicFile> write_content(const SceneContent& content) {
     const Mesh& mesh = content.mesh;
     const std::vector<Vec3f> rest = corner_normals(mesh, content.options.crease_degrees);
     if (!content.options.pose) return write_files(content, mesh, rest);
     const auto& [pose, weight] = *content.options.pose;
     return write_files(content, posed_mesh(mesh, pose, weight),
                        blended_normals(rest, posed_corners(mesh, pose, rest).normals, weight));
+}
+
+}  // namespace
+
+std::vector<AtomicFile> write_obj(const SceneContent& content) {
+    const Material& material = content.options.material;
+    if (material.alpha != AlphaMode::mask || !has_alpha(content.image))
+        return write_content(content);
+    ExportOptions options = content.options;
+    for (BakedImage& level : options.levels) level = cut(std::move(level), material.alpha_cutoff);
+    const BakedImage image = cut(content.image, material.alpha_cutoff);
+    return write_content({content.path, content.mesh, content.atlas, image, options});
 }
 
 }  // namespace burl

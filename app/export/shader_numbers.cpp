@@ -66,24 +66,34 @@ class NumberCutter {
 
     bool is_sign(char c) const { return c == '+' || c == '-'; }
 
-    /// Adds the number at `from`, which ends at at_, with its sign and the parentheses round both.
-    void add(ShaderNumber number, std::size_t from) {
-        if (before(from, 1) == ' ' && is_sign(before(from, 2)) && before(from, 3) == ' ' &&
-            ends_operand(before(from, 4))) {
-            number.added = true;
-            from -= 2;
-        } else if (before(from, 1) == '-' && !ends_operand(before(from, 2)) &&
-                   !(before(from, 2) == ' ' && ends_operand(before(from, 3)))) {
+    /// Whether the place follows an operator of sums and its operand.
+    bool is_added(std::size_t place) const {
+        return before(place, 1) == ' ' && is_sign(before(place, 2)) && before(place, 3) == ' ' &&
+               ends_operand(before(place, 4));
+    }
+
+    /// Takes the number's own sign, and the parentheses round both.
+    void take_sign(std::size_t& from) {
+        if (before(from, 1) != '-' || ends_operand(before(from, 2)) || is_added(from)) return;
+        if (before(from, 2) == ' ' && ends_operand(before(from, 3))) return;
+        --from;
+        if (before(from, 1) == '(' && !is_word(before(from, 2)) && at_ < text_.size() &&
+            text_[at_] == ')') {
             --from;
-            if (before(from, 1) == '(' && !is_word(before(from, 2)) && at_ < text_.size() &&
-                text_[at_] == ')') {
-                --from;
-                ++at_;
-            }
+            ++at_;
         }
+    }
+
+    /// Adds the number at `from`, which ends at at_, with its signs: "- 0.5" and "- (-0.5)" are
+    /// numbers that are added.
+    void add(ShaderNumber number, std::size_t from) {
+        take_sign(from);
+        number.added = is_added(from);
+        if (number.added) from -= 2;
         number.spelt = text_.substr(from, at_ - from);
-        if (number.spelt.find('-') < number.spelt.find_first_of("0123456789"))
-            number.value = -number.value;
+        const auto signs =
+            std::string_view(number.spelt).substr(0, number.spelt.find_first_of("0123456789"));
+        if (std::ranges::count(signs, '-') % 2 != 0) number.value = -number.value;
         result_.around.emplace_back(text_.substr(done_, from - done_));
         result_.numbers.push_back(std::move(number));
         done_ = at_;

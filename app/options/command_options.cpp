@@ -13,6 +13,7 @@
 #include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/parameters.h"
+#include "app/recipe/spelling.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"
@@ -58,7 +59,7 @@ void append_precision(const std::string& text, std::vector<RecipeEdit>& edits) {
 void check_said_once(const std::vector<RecipeEdit>& edits) {
     for (std::size_t i = 0; i < edits.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
-            if (edits[i].path == edits[k].path)
+            if (respelled_path(edits[i].path) == respelled_path(edits[k].path))
                 throw Error(ExitCode::usage,
                             fmt::format("{} and {} say the same thing; give one of them",
                                         edits[i].said, edits[k].said));
@@ -69,7 +70,7 @@ void check_said_once(const std::vector<RecipeEdit>& edits) {
 void check_not_keyed(const std::vector<RecipeEdit>& edits, const KeyedAnimation& animation) {
     for (const KeyTrack& track : animation.tracks)
         for (const RecipeEdit& edit : edits)
-            if (edit.path == track.path)
+            if (respelled_path(edit.path) == track.path)
                 throw Error(ExitCode::usage,
                             fmt::format("{} does nothing: the recipe has keys for that number; "
                                         "leave it out, or change its \"animation\"",

@@ -49,6 +49,11 @@ std::string only_fixed(const Recipe& recipe) {
     return "only fixed point has these bits; use --precision fixed:I.F, or leave it out";
 }
 
+std::string only_masks(const Recipe& recipe) {
+    if (recipe.material.alpha == AlphaMode::mask) return "";
+    return "only material.alpha mask has a cutoff; set that, or leave it out";
+}
+
 std::vector<RecipeParameter> rows_before_texture() {
     return {
         {{{"burl", ParameterType::integer, 1, 1, 1, 1, "", "1", "", "version of this format"}}, {}},
@@ -126,7 +131,7 @@ std::vector<RecipeParameter> material_rows() {
             row("material.alpha", &Material::alpha, {},
                 "blend: shows what is behind; mask: there or not; opaque: transparent is black"),
             row("material.alpha_cutoff", &Material::alpha_cutoff, {0, 1, 0.05},
-                "mask: alpha from which a texel is there", {.rare = true})};
+                "mask: alpha from which a texel is there", {.rare = true}, {.idle = only_masks})};
 }
 
 std::vector<RecipeParameter> control_rows() {

@@ -1,5 +1,8 @@
 #include "procedural/model/texture_json.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "procedural/model/members.h"
 #include "procedural/noise/names.h"
 
@@ -38,7 +41,8 @@ MemberParameter stop_color_row() {
     return row;
 }
 
-std::vector<MemberParameter> make_table() {
+/// Rows of the colour map and of the quadric.
+std::vector<MemberParameter> map_rows() {
     return {
         node_row("texture.node", "color_map", "kind of the tree's root"),
         member_row("texture.wrap", &ColorMap::wrap, {},
@@ -56,7 +60,12 @@ std::vector<MemberParameter> make_table() {
         coefficient("texture.input.quadric.G", &Quadric::g, "half the coefficient of t", "2 t"),
         coefficient("texture.input.quadric.H", &Quadric::h, "coefficient of r^2", "r\u00b2"),
         coefficient("texture.input.quadric.I", &Quadric::i, "half the coefficient of r", "2 r"),
-        coefficient("texture.input.quadric.J", &Quadric::j, "constant", "constant"),
+        coefficient("texture.input.quadric.J", &Quadric::j, "constant", "constant")};
+}
+
+/// Rows of a noise term.
+std::vector<MemberParameter> noise_rows() {
+    return {
         member_row("texture.input.noise.*.kind", &NoiseTerm::kind, {},
                    "which noise; docs/reference/noise.md defines them"),
         member_row("texture.input.noise.*.fade", &NoiseTerm::fade, {},
@@ -106,6 +115,12 @@ std::vector<MemberParameter> make_table() {
                    "frequency ratio from one octave to the next", {.label = "octave spacing"}),
         member_row("texture.input.noise.*.gain", &NoiseTerm::gain, {0, 2, 0.05},
                    "amplitude ratio from one octave to the next", {.label = "roughness"})};
+}
+
+std::vector<MemberParameter> make_table() {
+    std::vector<MemberParameter> table = map_rows();
+    std::ranges::move(noise_rows(), std::back_inserter(table));
+    return table;
 }
 
 /// Whether a noise term is written with this key even where it has its default.

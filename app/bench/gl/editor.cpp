@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
@@ -277,27 +278,26 @@ void print_drags(const std::vector<EditorBench>& rows) {
             fmt::print(" {:>10.1f}", figure);
         fmt::print("\n");
     }
+    std::fflush(stdout);  // minutes pass until the next
 }
 
 }  // namespace
 
 void run_editor_bench(const BenchCommand& command) {
     const auto side = std::uint32_t(command.size_or(1024));
-    std::vector<EditorBench> drags;
+    Json rows = Json::array();
     for (const EditSynthesis by : {EditSynthesis::host, EditSynthesis::gl}) {
         if (by == EditSynthesis::gl && command.gl == "osmesa") continue;  // the host's processor
-        for (const char* light : {"headlight", "studio"})
-            for (EditorBench& row : bench_editor(command.gl, side, light, by))
-                drags.push_back(std::move(row));
+        for (const char* light : {"headlight", "studio"}) {
+            const std::vector<EditorBench> drags = bench_editor(command.gl, side, light, by);
+            for (const EditorBench& row : drags) rows.push_back(drag_json(row));
+            if (!command.json) print_drags(drags);
+        }
     }
     const std::vector<FramesBench> frames = bench_frames(command.gl, side);
-    Json rows = Json::array();
-    for (const EditorBench& row : drags) rows.push_back(drag_json(row));
     for (const FramesBench& row : frames) rows.push_back(frames_json(row));
     write_report(command, rows);
-    if (command.json) return;
-    print_drags(drags);
-    print_frames(frames);
+    if (!command.json) print_frames(frames);
 }
 
 }  // namespace burl

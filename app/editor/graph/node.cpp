@@ -52,9 +52,10 @@ class NodePanel {
         context_.items.note(item);
         return clicked;
     }
-    bool small_button(const std::string& words, const std::string& item) {
+    bool small_button(const std::string& words, const std::string& item, const char* sentence) {
         const bool clicked = ImGui::SmallButton((words + "##" + item).c_str());
         context_.items.note(item);
+        tip(sentence);
         return clicked;
     }
 
@@ -83,6 +84,7 @@ class NodePanel {
         const bool entered = ImGui::InputTextWithHint(id.c_str(), "no name", &name,
                                                       ImGuiInputTextFlags_EnterReturnsTrue);
         context_.items.note("node name");
+        tip("A name under which others can use it; Enter gives it.");
         ImGui::SameLine();
         ImGui::TextUnformatted("name");
         if (entered && name != view.name)
@@ -165,15 +167,16 @@ class NodePanel {
                 ImGui::CollapsingHeader(fmt::format("Noise {}##{}", i + 1, item).c_str());
             context_.items.note("term:" + item);
             if (!open) continue;
-            if (small_button("up", "term up:" + item) && i > 0)
+            if (small_button("up", "term up:" + item, "Adds this noise earlier.") && i > 0)
                 return build(
                     [&](const Recipe& recipe) { return move_term(recipe, place, i, i - 1); });
             ImGui::SameLine();
-            if (small_button("down", "term down:" + item) && i + 1 < view.terms)
+            if (small_button("down", "term down:" + item, "Adds this noise later.") &&
+                i + 1 < view.terms)
                 return build(
                     [&](const Recipe& recipe) { return move_term(recipe, place, i, i + 1); });
             ImGui::SameLine();
-            if (small_button("remove", "term remove:" + item))
+            if (small_button("remove", "term remove:" + item, "Takes this noise away."))
                 return build([&](const Recipe& recipe) { return remove_term(recipe, place, i); });
             parameter_rows(context_, leaves_of(item));
         }
@@ -191,6 +194,7 @@ class NodePanel {
         const bool open = ImGui::BeginCombo(
             "##layer", wire == Wire::color ? "Add a layer" : "Add a layer of numbers");
         context_.items.note("layer add");
+        tip("Lays another node over what stands here, with an opacity and a mask.");
         if (!open) return;
         for (const char* mode : blend_modes) {
             const bool chosen = ImGui::Selectable(spoken(mode).c_str());
@@ -207,22 +211,24 @@ class NodePanel {
         if (!node) return true;
         const Json& json = graph_.model().graph().nodes[*node].json;
         const std::string mode = json.value("mode", "normal");
-        if (small_button(fmt::format("layer {}", i + 1), "layer:" + item))
+        if (small_button(fmt::format("layer {}", i + 1), "layer:" + item,
+                         "Chooses the layer, with its mode, opacity and mask."))
             graph_.model().choose(all[i]);
         ImGui::SameLine();
         ImGui::TextDisabled("%s", spoken(mode).c_str());
         ImGui::SameLine(0.5f * ImGui::GetContentRegionAvail().x);
-        if (small_button("up", "layer up:" + item) && i + 1 < all.size()) {
+        if (small_button("up", "layer up:" + item, "Lays it over the next layer.") &&
+            i + 1 < all.size()) {
             build([&](const Recipe& recipe) { return move_layer(recipe, place, i, i + 1); });
             return true;
         }
         ImGui::SameLine();
-        if (small_button("down", "layer down:" + item) && i > 0) {
+        if (small_button("down", "layer down:" + item, "Lays it below the next layer.") && i > 0) {
             build([&](const Recipe& recipe) { return move_layer(recipe, place, i, i - 1); });
             return true;
         }
         ImGui::SameLine();
-        if (!small_button("remove", "layer remove:" + item)) return false;
+        if (!small_button("remove", "layer remove:" + item, "Takes the layer away.")) return false;
         build([&](const Recipe& recipe) { return remove_layer(recipe, place, i); });
         return true;
     }
@@ -259,11 +265,12 @@ class NodePanel {
             "of the parameters.");
         ImGui::Separator();
         for (const GraphInput& input : view.inputs) {
-            if (small_button(input.words, "channel:" + input.key))
+            if (small_button(input.words, "channel:" + input.key, input.tip.c_str()))
                 graph_.model().choose(input.place);
             if (input.key == "base_color") continue;
             ImGui::SameLine(0.62f * ImGui::GetContentRegionAvail().x);
-            if (small_button("remove", "channel remove:" + input.key))
+            if (small_button("remove", "channel remove:" + input.key,
+                             "Makes the channel one number again."))
                 return build(
                     [&](const Recipe& recipe) { return remove_channel(recipe, input.key); });
         }
@@ -274,6 +281,7 @@ class NodePanel {
         ImGui::SetNextItemWidth(0.62f * ImGui::GetContentRegionAvail().x);
         const bool open = ImGui::BeginCombo("##channel", "Add a channel");
         context_.items.note("channel add");
+        tip("Makes a channel a node, so that it varies over the surface.");
         if (!open) return;
         std::vector<std::string> channels{"height"};
         for (const std::string_view channel : enum_names<Channel>) channels.emplace_back(channel);

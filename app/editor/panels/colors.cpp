@@ -73,6 +73,7 @@ class MapEditor {
         ImGui::SetCursorScreenPos(low_);
         const bool clicked = ImGui::InvisibleButton("bar", {width_, bar_height});
         context_.items.note(path_ + ".bar");
+        tip("A click adds a stop of the colour that is there.");
         draw_half(0.0f, dark_behind);
         draw_half(0.5f, light_behind);
         if (!clicked) return;
@@ -177,6 +178,7 @@ class MapEditor {
         tip("The stop's colour and how opaque it is; right-click for other notations.");
         const bool unwanted = ImGui::Button("Delete the stop");
         context_.items.note(path_ + ".delete");
+        tip("Takes the stop away; so does a right click on it.");
         if (moved) return move_selected(position);
         if (colored) replace(edited);
         if (unwanted) remove(selection_.stop);

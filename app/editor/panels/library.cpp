@@ -178,6 +178,7 @@ void search_row(const PanelContext& context, LibraryView& view) {
         std::max(1.0f, ImGui::GetContentRegionAvail().x - star - ImGui::GetStyle().ItemSpacing.x));
     ImGui::InputTextWithHint("##search", "Search the library", &view.search);
     context.items.note("preset search");
+    tip("Words of a name, a category or a sentence.");
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, view.favourites ? palette().star : palette().quiet);
     const std::string label =

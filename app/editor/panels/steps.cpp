@@ -7,6 +7,7 @@
 
 #include "app/editor/panels/panels.h"
 #include "app/editor/widgets/flow.h"
+#include "app/editor/widgets/widgets.h"
 
 namespace burl {
 
@@ -30,6 +31,7 @@ void kept_state(const PanelContext& context, std::size_t index) {
     flow.next();
     if (ImGui::Button("keep this")) kept = context.session.recipe();
     context.items.note("keep:" + name);
+    tip(fmt::format("Keeps the recipe as it is now, as {} (Shift+{}).", name, name).c_str());
     if (kept) {
         flow.next();
         if (ImGui::Button(back))
@@ -37,9 +39,11 @@ void kept_state(const PanelContext& context, std::size_t index) {
                 return GraphEdit{*kept, fmt::format("go back to {}", name), ""};
             });
         context.items.note("back to:" + name);
+        tip("Makes what was kept the recipe again, as one step.");
         flow.next();
         if (ImGui::Button("forget")) kept.reset();
         context.items.note("forget:" + name);
+        tip("Keeps nothing here any more.");
     } else {
         flow.next();
         ImGui::TextDisabled("%s", none);

@@ -280,7 +280,7 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
 void GlEditObject::draw_layers(const ObjectViewOptions& options) {
     if (!scene_->has_layers()) return;
     const PictureSize samples = sample_size(options);
-    const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
+    const Camera camera = camera_of(options.camera, surface_->sphere, pixel_size(options));
     const GlShading shading = shading_of(options);
     if (!options.every_layer)
         return scene_->draw_blended(camera, samples, {0, 0, samples.width, samples.height},

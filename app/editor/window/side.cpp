@@ -36,6 +36,16 @@ std::string label_of(const Tab& tab, TabLabels labels, bool front) {
     return labels == TabLabels::icons || !front ? icon : icon + " " + tab.name;
 }
 
+/// Pushes two variables of the style: icons alone stand closer.
+void push_tab_style(TabLabels labels) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float share = labels == TabLabels::icons ? 0.4f : 1.0f;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(share * style.FramePadding.x, style.FramePadding.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
+                        ImVec2(share * style.ItemInnerSpacing.x, style.ItemInnerSpacing.y));
+}
+
 /// The width of all tabs.
 float tabs_width(TabLabels labels, const std::string& front, bool with_node) {
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -91,10 +101,12 @@ void SidePanels::wait() const {
 bool SidePanels::begin_tab(EditItems& items, const Tab& tab, bool front) {
     const std::string label =
         fmt::format("{}###{}", label_of(tab, labels_, front_ == tab.name), tab.name);
+    push_tab_style(labels_);
     const bool open =
         ImGui::BeginTabItem(label.c_str(), nullptr,
                             (front ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None) |
                                 ImGuiTabItemFlags_NoTooltip);
+    ImGui::PopStyleVar(2);
     items.note(fmt::format("tab:{}", tab.name));
     tip(tab.tip);
     if (open) front_ = tab.name;
@@ -117,7 +129,10 @@ void SidePanels::window(const PanelContext& context, const EditBaker& baker, boo
     };
     const bool shown = ImGui::Begin("Side", nullptr, fixed_window);
     labels_ = labels_with_room(front_, graph.shown);
-    if (shown && ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll)) {
+    push_tab_style(labels_);
+    const bool begun = shown && ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll);
+    ImGui::PopStyleVar(2);
+    if (begun) {
         tab(library_tab, [&] { library_panel(context, library_, favourites, picture); });
         tab(parameters_tab, [&] {
             recipe_heading(context.session.recipe());

@@ -57,11 +57,13 @@ std::string component_text(const PicturePlan& plan, std::size_t c,
 /// of `texel`; without planes it is all that there is.
 std::string outputs_text(const Recipe& recipe, const std::vector<PicturePlan>& plans,
                          const std::string& color) {
-    std::string text =
-        "uniform ivec2 tile_origin;\n"
+    // The lines of texels that filters read have the tile's corner already.
+    std::string text = recipe.filter.kind == FilterKind::none ? "uniform ivec2 tile_origin;\n" : "";
+    text +=
         "float code(real light) { return float(srgb8(light)) / 255.0; }\n"
         "layout(location = 0) out vec4 picture0;\n";
-    if (!recipe.paint.empty()) text += "uniform sampler2D paint;  // premultiplied linear light\n";
+    if (has_color_paint(recipe.paint))
+        text += "uniform sampler2D paint;  // premultiplied linear light\n";
     for (std::size_t i = 1; i <= plans.size(); ++i)
         text += fmt::format("layout(location = {0}) out vec4 picture{0};\n", i);
     text += "void main() {\n    ivec2 texel = ivec2(gl_FragCoord.xy) - tile_origin;\n";
@@ -71,7 +73,7 @@ std::string outputs_text(const Recipe& recipe, const std::vector<PicturePlan>& p
             "    real4 color = planes.base_color;\n";
     else
         text += fmt::format("    real4 color = real4({}, 1.0);\n", color);
-    if (!recipe.paint.empty())
+    if (has_color_paint(recipe.paint))
         text +=
             "    vec4 over = texelFetch(paint, ivec2(gl_FragCoord.xy), 0);\n"
             "    color.rgb = over.rgb + (1.0 - over.a) * color.rgb;\n";
@@ -145,7 +147,7 @@ const GlTexture& GlPaint::show(const SolidAtlas& solid, std::span<const PaintStr
         texture_ =
             make_texture(*gl_, GL_RGBA32F, GlSize(int(solid.size)), std::span<const Vec4f>(none));
     }
-    const PaintWork work = layer_->update(strokes);
+    const PaintWork work = layer_->update(strokes_of(strokes, 0));
     gl_->ActiveTexture(GL_TEXTURE0);
     gl_->BindTexture(GL_TEXTURE_2D, texture_->get());
     const std::vector<PaintLight> clear(std::size_t(side) * side, PaintLight(0.0f));
@@ -238,7 +240,8 @@ std::shared_ptr<const GlPictures> GlPictureMaker::make(const SolidAtlas& solid,
     for (const PicturePlan& plan : plans) is_color.push_back(plan.is_color);
     const std::shared_ptr<GlPictures> pictures = pool_.take(int(solid.size), is_color);
     const GlProgram& made = program(recipe, plans, solid);
-    const GlTexture* paint = recipe.paint.empty() ? nullptr : &paint_.show(solid, recipe.paint);
+    const GlTexture* paint =
+        has_color_paint(recipe.paint) ? &paint_.show(solid, recipe.paint) : nullptr;
     draw(*pictures, made, paint);
     graph_.finish();
     for (const GlTexture& image : pictures->images) make_levels(*gl_, image);
@@ -258,7 +261,7 @@ GlPassMaker::GlPassMaker(GlContext& context)
 std::string GlPassMaker::problem(const Recipe& recipe) const {
     if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
         return "the papers' passes have no filters";
-    if (!recipe.paint.empty()) return "the papers' passes have no paint";
+    if (has_color_paint(recipe.paint)) return "the papers' passes have no paint";
     if (has_glsl_planes(recipe.texture)) return "the papers' passes make a colour alone";
     if (recipe.atlas.size > std::uint32_t(largest_tile))
         return fmt::format("the papers' passes are shown up to {} texels a side", largest_tile);

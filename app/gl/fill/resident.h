@@ -37,7 +37,8 @@ class GlPicturePool {
     std::vector<std::shared_ptr<GlPictures>> kept_;
 };
 
-/// The paint of a recipe in a texture, of which only tiles that strokes reached are uploaded.
+/// The colour paint of a recipe in a texture, of which only tiles that strokes reached are
+/// uploaded.
 class GlPaint {
   public:
     explicit GlPaint(const GladGLContext& gl) : gl_(&gl) {}

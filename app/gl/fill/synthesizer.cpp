@@ -110,13 +110,13 @@ class GlMultipassSynthesizer final : public TextureSynthesizer {
         if (recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32)
             return "--gl-precision says what the passes compute in, and the recipe has another "
                    "precision";
+        const Texture* texture = plain_texture(recipe.texture);
+        if (!texture)
+            return "the papers' passes make no other textures than an opaque color_map over a "
+                   "field";
         if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
             return "the papers' passes have no filters";
-        const Texture* texture = plain_texture(recipe.texture);
-        return texture
-                   ? textures_.problem(*texture)
-                   : "the papers' passes make no other textures than an opaque color_map over a "
-                     "field";
+        return textures_.problem(*texture);
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,

@@ -17,7 +17,9 @@ namespace burl {
 
 namespace {
 
+/// Reads an index, which has one spelling: no zeros before it.
 bool parse_index(std::string_view part, std::size_t& index) {
+    if (part.size() > 1 && part[0] == '0') return false;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
     return error == std::errc() && end == part.data() + part.size() && index < 1000000;
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/edit/node_kinds.h"
+#include "app/edit/paint_layers.h"
 #include "procedural/graph/evaluator.h"
 #include "tests/app/edit/edit_cases.h"
 
@@ -280,6 +281,33 @@ TEST(BuildSteps, PaintAndEverythingElseStays) {
     const Recipe edited = add_node(recipe, "material.metallic", "fbm").recipe;
     EXPECT_EQ(edited.paint, recipe.paint);
     EXPECT_EQ(delete_nodes(edited, {"material.metallic"}).recipe, recipe);
+}
+
+TEST(BuildSteps, ANodeIsAddedAfterAnother) {
+    const Recipe recipe = recipe_with(R"("texture": {"node": "mix", "a": "#ff0000",
+        "b": "#0000ff", "amount": {"node": "fbm"}})");
+    const GraphEdit edit = add_node_after(recipe, "texture.amount", "remap out_high=2");
+    EXPECT_EQ(edit.recipe, recipe_with(R"("texture": {"node": "mix", "a": "#ff0000",
+        "b": "#0000ff", "amount": "fbm"}, "define": {
+        "remap": {"node": "remap", "input": "fbm", "out_high": 2}, "fbm": {"node": "fbm"}})"));
+    EXPECT_EQ(edit.path, "define.remap");
+    EXPECT_EQ(edit.words, "add remap after fbm");
+    EXPECT_EQ(refusal([&] { return add_node_after(recipe, "texture.amount", "marble"); }),
+              "marble has no input that is free; choose another node");
+    EXPECT_NE(refusal([&] { return add_node_after(recipe, "texture.nothing", "abs"); }), "");
+    // A colour where a number is wanted goes through its luminance, as when it is connected.
+    EXPECT_EQ(refusal([&] { return add_node_after(recipe, "texture", "abs"); }), "");
+}
+
+TEST(BuildSteps, LayersOfPaintAreCounted) {
+    Recipe recipe = recipe_with(R"("texture": {"node": "blend", "base": "#ff0000",
+        "top": "#0000ff", "mask": {"node": "paint", "layer": 2}}, "bump": {"input":
+        {"node": "paint", "layer": 5}})");
+    recipe.paint.resize(2);
+    recipe.paint[1].layer = 1;
+    EXPECT_EQ(paint_layers(recipe), (std::vector<int>{1, 2, 5}));
+    EXPECT_EQ(free_paint_layer(recipe), 3);
+    EXPECT_EQ(free_paint_layer(recipe_with(R"("texture": {"node": "fbm"})")), 1);
 }
 
 }  // namespace

@@ -98,6 +98,27 @@ TEST(ExportObj, MaterialNamesTheTexture) {
     EXPECT_EQ(read_png(folder / "my cube.png"), sample_image(64));
 }
 
+/// MTL has no cutoff, so that alpha of a mask must be there or not; what blends keeps it.
+TEST(ExportObj, AlphaOfAMaskIsThereOrNot) {
+    const ScratchFolder folder;
+    const Mesh mesh = cube_mesh();
+    Image<Rgba8> image(64, 64);
+    for (std::size_t y = 0; y < 64; ++y)
+        for (std::size_t x = 0; x < 64; ++x) image(x, y) = {200, 100, 50, std::uint8_t(4 * x)};
+    ExportOptions options;
+    options.material.alpha_cutoff = 0.5;
+    for (const AlphaMode mode : {AlphaMode::blend, AlphaMode::mask}) {
+        options.material.alpha = mode;
+        export_scene(folder / "a.obj", mesh, pair_atlas(mesh, 64), image, options);
+        EXPECT_NE(export_obj_content(folder / "a.mtl").find("map_d -imfchan m a.png\n"),
+                  std::string::npos);
+        const auto read = decode_png_with_alpha(read_png_bytes(folder / "a.png"), "a.png");
+        const auto& seen = std::get<Image<Rgba8>>(read);
+        for (std::size_t x = 0; x < 64; ++x)
+            EXPECT_EQ(seen(x, 9).a, mode == AlphaMode::blend ? 4 * x : x >= 32 ? 255u : 0u) << x;
+    }
+}
+
 TEST(ExportObj, MaterialIsCalledAfterMeshAndRecipeInOneWord) {
     const ScratchFolder folder;
     Mesh mesh = cube_mesh();

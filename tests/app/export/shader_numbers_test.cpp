@@ -37,6 +37,8 @@ TEST(ShaderNumbers, HaveTheirSigns) {
     EXPECT_EQ(numbers_in("x * (-0.5)"), std::vector<double>{-0.5});
     EXPECT_EQ(numbers_in("sine(-0.5 * x) + 0.25"), (std::vector<double>{-0.5, 0.25}));
     EXPECT_EQ(numbers_in("x-0.5"), std::vector<double>{0.5});
+    EXPECT_EQ(numbers_in("x - (-0.5)"), std::vector<double>{0.5});
+    EXPECT_EQ(numbers_in("x + (-0.5)"), std::vector<double>{-0.5});
 }
 
 TEST(ShaderNumbers, AreTheFloatsThatTextsStandFor) {
@@ -49,6 +51,7 @@ TEST(ShaderNumbers, TextsThatDifferByNumbersHaveOneStructure) {
     };
     EXPECT_TRUE(same("v = 0.5 * x + 0.25;", "v = -1.5 * x - 2.0;"));
     EXPECT_TRUE(same("f(x * (-0.5))", "f(x * 0.5)"));
+    EXPECT_TRUE(same("v = x - 0.5;", "v = x - (-0.5);"));
     EXPECT_FALSE(same("v = 0.5 * x;", "v = x;"));
     EXPECT_FALSE(same("v = 0.5 * x;", "v = 0.5 * y;"));
     EXPECT_FALSE(same("octave(3u, 0.5)", "octave(4u, 0.5)"));

@@ -258,5 +258,13 @@ TEST_F(Batch, NullTakesAwayTheEditsOfTheDefaults) {
               (std::vector<std::string>{"atlas.size=64", "solid.scale=3"}));
 }
 
+TEST_F(Batch, AnEditTakesTheDefaultsPlaceInEitherSpelling) {
+    const auto list = entries(R"({"defaults": {"set": ["material.base_color=red", "bump.height=2"]},
+      "bakes": [{"mesh": "square.obj", "output": "a.png", "set": "texture=clouds"}]})");
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0].command.recipe.settings,
+              (std::vector<std::string>{"bump.height=2", "texture=clouds"}));
+}
+
 }  // namespace
 }  // namespace burl::test

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "app/editor/window/object.h"
 #include "app/gl/draw/lazy_picture.h"
 #include "app/image/image_diff.h"
@@ -154,6 +157,34 @@ TEST_F(GlEditLightMenu, ChoosesAnEnvironment) {
     EXPECT_GT(differing(settled(*editor), neutral), 1000u);
     play(*editor, R"({"key": "L"}, {"wait": 2})");
     EXPECT_EQ(differing(settled(*editor), neutral), 0u);
+}
+
+TEST_F(GlEditLightTest, TheFirstPictureOfAllIsLit) {
+    EditorOptions options;
+    EXPECT_EQ(options.light, "studio");
+    options.mesh = "sample:cube";
+    options.settings = {"atlas.size=64", "atlas.tries=1",
+                        R"(texture={"node":"constant","value":"#c08040"})"};
+    options.gallery = false;
+    const auto far = [](const Rgb8& a, const Rgb8& b) {
+        return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > 4;
+    };
+    const auto colors = [&](const std::string& light) {
+        options.light = light;
+        EditorProgram editor(create_unseen_window(create_osmesa_context(), {640, 480}), options);
+        std::vector<Rgb8> seen;
+        for (int after = 0; after < 5; after += editor.settled()) {
+            editor.frame({});
+            const glm::dvec2 at = editor.items().find("object").value().middle();
+            seen.push_back(editor.screenshot()(std::size_t(at.x), std::size_t(at.y)));
+        }
+        return seen;
+    };
+    const std::vector<Rgb8> lit = colors("studio");
+    const Rgb8 nothing = lit.front(), last = lit.back();
+    EXPECT_TRUE(far(nothing, last)) << "the object comes in";
+    EXPECT_TRUE(far(colors("headlight").back(), last)) << "another light";
+    for (const Rgb8& color : lit) EXPECT_TRUE(!far(color, nothing) || !far(color, last));
 }
 
 }  // namespace
