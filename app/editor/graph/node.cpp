@@ -136,6 +136,9 @@ class NodePanel {
         return own;
     }
 
+    /// A half of linear light, as a colour to begin with.
+    static constexpr const char* middle_grey = "#bcbcbc";
+
     /// The number or colour of a constant node, as a parameter.
     static RecipeLeaf constant_leaf(const std::string& path, const Json& value) {
         static constexpr Parameter number{
@@ -253,6 +256,11 @@ class NodePanel {
         if (own.empty() && !found->constant.is_null()) {
             const bool is_node = place == "texture" || place.starts_with("material.");
             own.push_back(constant_leaf(is_node ? place + ".value" : place, found->constant));
+        }
+        if (found->wire == Wire::color && found->constant.is_number() && !own.empty()) {
+            ImGui::SameLine();
+            if (button("As a colour", "node colour"))
+                context_.session.set(std::vector{own.front().path + "=" + middle_grey});
         }
         parameter_rows(context_, own);
         layers(place, found->wire);

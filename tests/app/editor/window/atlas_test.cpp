@@ -47,6 +47,7 @@ TEST_F(EditAtlasTest, NothingOfItIsMadeWhileItIsHidden) {
 
 TEST_F(EditAtlasTest, EveryModeIsAnotherPictureAndTheTextureIsTheObjects) {
     const auto editor = start();
+    play(*editor, R"({"resize": [1400, 640]}, {"wait": 2})");  // room for the modes in a row
     play(*editor, R"({"key": "V"}, {"settle": true})");
     const Image<Rgb8> texture = settled(*editor);
     // The middle of the view is the middle of the texture.
@@ -69,6 +70,7 @@ TEST_F(EditAtlasTest, EveryModeIsAnotherPictureAndTheTextureIsTheObjects) {
 
 TEST_F(EditAtlasTest, LevelsWheelAndFitChangeTheView) {
     const auto editor = start();
+    play(*editor, R"({"resize": [1400, 640]}, {"wait": 2})");  // room for the modes in a row
     play(*editor, R"({"key": "V"}, {"click": "atlas mode charts"}, {"settle": true})");
     const Image<Rgb8> whole = settled(*editor);
     play(*editor, R"({"drag": "atlas level", "by": [400, 0]})");
@@ -128,6 +130,7 @@ TEST_F(EditAtlasTest, FollowsASliderWhileItMoves) {
 
 TEST_F(EditAtlasTest, ErrorsAreThoseOfTheRecipeOnTheScreen) {
     const auto editor = start();
+    play(*editor, R"({"resize": [1400, 640]}, {"wait": 2})");  // room for the modes in a row
     play(*editor, R"({"key": "V"}, {"click": "atlas mode error"}, {"settle": true}, {"wait": 2})");
     const auto of = [&] {
         Pipeline pipeline(load_mesh("sample:cube"));

@@ -69,6 +69,17 @@ TEST_F(GlEditGraph, ANodeIsAddedByItsNameAndDeleted) {
     EXPECT_EQ(editor->session().recipe(), before);
 }
 
+TEST_F(GlEditGraph, ANumberWhereAColourMayStandBecomesOne) {
+    const auto editor =
+        start_with(R"("texture": {"node": "blend", "top": 0.5, "base": "#112233"})");
+    play(*editor, R"({"click": "in:texture.top"}, {"wait": 2}, {"click": "node colour"},
+                     {"wait": 2})");
+    EXPECT_EQ(editor->session().recipe(),
+              wanted(*editor, R"("texture": {"node": "blend", "top": "#bcbcbc",
+                                 "base": "#112233"})"));
+    EXPECT_FALSE(editor->items().find("node colour"));
+}
+
 TEST_F(GlEditGraph, TheSearchIsClickedToo) {
     const auto editor = start_with(mixed);
     play(*editor, R"({"double_click": "node:texture"}, {"wait": 2}, {"key": "Escape"},
