@@ -22,33 +22,31 @@ Vec3d inside_weights(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d
     return kept / (kept.x + kept.y + kept.z);
 }
 
-/// The shader of normal maps: the bumped normal at a sample.
-class BumpShade {
-  public:
-    BumpShade(const SolidAtlas& solid, const ShadingFrames& frames, const Bump& bump,
-              const Affine3& texture_from_atlas)
-        : solid_(solid),
-          owners_(solid, frames.atlas, OwnerReach::lookups),
-          frames_(frames),
-          bump_(bump),
-          map_(texture_from_atlas) {}
+/// The surface's interpolated vectors at a point of a texel; 0 where there are none.
+struct SurfaceVectors {
+    Vec3d normal{0.0}, tangent{0.0};
+    double sign = 1.0;  ///< of the bitangent
+};
 
-    Vec3d operator()(const TexelPlace& texel, double u, double v, const GraphSample& height) const {
+/// Interpolates the vectors of triangles' corners at texels.
+class SurfaceAt {
+  public:
+    SurfaceAt(const SolidAtlas& solid, const ShadingFrames& frames)
+        : solid_(solid), owners_(solid, frames.atlas, OwnerReach::lookups), frames_(frames) {}
+
+    /// The vectors of a point u and v texels from the texel's centre.
+    SurfaceVectors operator()(const TexelPlace& texel, double u, double v) const {
         const TexelMap& map = solid_.maps[texel.map];
         const Vec3d point = map(texel.x, texel.y) + u * map.step_x + v * map.step_y;
         const std::size_t t = owners_(texel.x, texel.y, texel.map);
         const Triangle& corners = frames_.mesh.triangles[t];
         const auto& p = frames_.positions;
         const Vec3d weights = inside_weights(p[corners[0]], p[corners[1]], p[corners[2]], point);
-        const Vec3d normal = interpolated(frames_.normals, t, weights);
-        if (normal == Vec3d(0.0)) return {0.0, 0.0, 1.0};
-        const Vec3d gradient = height_gradient(height.channels[0], bump_.height, map_.linear);
-        if (frames_.tangents.empty()) return bumped_normal(glm::normalize(normal), gradient);
-        const Vec3d tangent = interpolated(frames_.tangents, t, weights);
-        if (tangent == Vec3d(0.0)) return {0.0, 0.0, 1.0};
-        const TangentFrame frame =
-            tangent_frame(normal, tangent, double(frames_.tangents[3 * t].w));
-        return in_frame(frame, bumped_normal(frame.normal, gradient));
+        SurfaceVectors vectors{interpolated(frames_.normals, t, weights)};
+        if (frames_.tangents.empty()) return vectors;
+        vectors.tangent = interpolated(frames_.tangents, t, weights);
+        vectors.sign = double(frames_.tangents[3 * t].w);
+        return vectors;
     }
 
   private:
@@ -63,6 +61,31 @@ class BumpShade {
     const SolidAtlas& solid_;
     TexelOwners owners_;
     const ShadingFrames& frames_;
+};
+
+/// The shader of normal maps: the bumped normal at a sample.
+class BumpShade {
+  public:
+    BumpShade(const SolidAtlas& solid, const ShadingFrames& frames, const Bump& bump,
+              const Affine3& texture_from_atlas)
+        : surface_(solid, frames),
+          in_object_space_(frames.tangents.empty()),
+          bump_(bump),
+          map_(texture_from_atlas) {}
+
+    Vec3d operator()(const TexelPlace& texel, double u, double v, const GraphSample& height) const {
+        const SurfaceVectors at = surface_(texel, u, v);
+        if (at.normal == Vec3d(0.0)) return {0.0, 0.0, 1.0};
+        const Vec3d gradient = height_gradient(height.channels[0], bump_.height, map_.linear);
+        if (in_object_space_) return bumped_normal(glm::normalize(at.normal), gradient);
+        if (at.tangent == Vec3d(0.0)) return {0.0, 0.0, 1.0};
+        const TangentFrame frame = tangent_frame(at.normal, at.tangent, at.sign);
+        return in_frame(frame, bumped_normal(frame.normal, gradient));
+    }
+
+  private:
+    SurfaceAt surface_;
+    bool in_object_space_;
     const Bump& bump_;
     const Affine3& map_;
 };
@@ -104,6 +127,25 @@ Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& fr
     fill_texels(solid, texture_from_atlas, evaluate, filter, shade, encode, threads, RowBand(image),
                 {}, masks);
     return image;
+}
+
+FrameMaps frame_maps(const SolidAtlas& solid, const ShadingFrames& frames, int threads) {
+    const SurfaceAt surface(solid, frames);
+    FrameMaps maps{Image<RgbaF>(solid.size, solid.size), Image<RgbaF>(solid.size, solid.size)};
+    const auto fill = [&](std::uint32_t x, std::uint32_t y, std::uint32_t map) {
+        const SurfaceVectors at = surface({x, y, map, {}, {}}, 0.0, 0.0);
+        if (at.normal == Vec3d(0.0) || at.tangent == Vec3d(0.0)) return;
+        const Vec3f n(glm::normalize(at.normal)), t(glm::normalize(at.tangent));
+        maps.normals(x, y) = {n.x, n.y, n.z, float(at.sign)};
+        maps.tangents(x, y) = {t.x, t.y, t.z, 0.0f};
+    };
+    for_row_ranges(solid.size, std::size_t(1) << 14, threads, [&](const RowRange& rows) {
+        for (std::size_t y = rows.begin(); y != rows.end(); ++y)
+            for (const Span& span : solid.row(std::uint32_t(y)))
+                for (std::uint32_t x = span.x; x < span.x + span.count; ++x)
+                    fill(x, std::uint32_t(y), span.map);
+    });
+    return maps;
 }
 
 template Image<Rgb8> synthesize_normals(const SolidAtlas&, const ShadingFrames&, const Bump&,

@@ -38,4 +38,14 @@ Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& fr
                                 PrecisionKind precision = PrecisionKind::float32,
                                 const MaskImages& masks = {});
 
+/// The tangent frames of an atlas's texel centres, for shaders that make normal maps. A texel has a
+/// unit normal with the bitangent's sign as alpha, and a unit tangent; both are 0 outside every
+/// span and where there is no frame.
+struct FrameMaps {
+    Image<RgbaF> normals, tangents;
+};
+
+/// The frames, which must have tangents. `threads` 0 means all.
+FrameMaps frame_maps(const SolidAtlas& solid, const ShadingFrames& frames, int threads);
+
 }  // namespace burl

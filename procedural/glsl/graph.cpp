@@ -172,6 +172,11 @@ GlslTexture glsl_graph(const TextureGraph& graph, GlslReal real) {
     return functions.texture(body, slope_parts(graph, maps));
 }
 
+std::string no_height_shader(const TextureGraph& height) {
+    std::string why = height.empty() ? "" : masks_problem(height, GraphOutput::color);
+    return why.empty() ? too_many_stops(height) : why;
+}
+
 bool has_glsl_planes(const TextureGraph& graph) {
     return !graph.channels.empty() || !is_opaque(graph, graph.result);
 }
@@ -179,8 +184,7 @@ bool has_glsl_planes(const TextureGraph& graph) {
 GlslTexture glsl_material(const TextureGraph& graph, const TextureGraph& height, GlslReal real) {
     check(no_graph_shader(graph));
     check(masks_problem(graph, GraphOutput::planes), "material");
-    check(too_many_stops(height), "height of the bumps");
-    if (!height.empty()) check(masks_problem(height, GraphOutput::color), "height of the bumps");
+    check(no_height_shader(height), "height of the bumps");
     GlslFunctions functions(real);
     GlslMapTables maps(real);
     if (!height.empty())

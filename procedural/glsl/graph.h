@@ -23,6 +23,9 @@ GlslTexture glsl_graph(const TextureGraph& graph, GlslReal real);
 /// channels or the base colour may be transparent.
 bool has_glsl_planes(const TextureGraph& graph);
 
+/// The reason why glsl_material() cannot have this height; empty where it can.
+std::string no_height_shader(const TextureGraph& height);
+
 /// The shader of a whole material. It defines texture_color as glsl_graph() does; where
 /// has_glsl_planes(), `TexturePlanes texture_planes(real3 solid)`, a struct of `real4 base_color`,
 /// linear light times its alpha, and the graph's channels by their names, which evaluates once what

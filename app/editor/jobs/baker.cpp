@@ -221,7 +221,9 @@ bool EditBaker::make_resident(const WorkerRequest& request) {
     material->numbers = scene_material(pipeline_->recipe());
     auto [plans, numbers] = material_plans(pipeline_->recipe());
     numbers.insert(numbers.begin(), material->numbers.texture);
-    auto made = synthesizer_.make(*pipeline_, request.synthesis, plans, numbers);
+    auto made =
+        synthesizer_.make(*pipeline_, request.synthesis, plans, numbers, material->numbers.normals);
+    bumps_made_ = made && made->numbers.back() == material->numbers.normals;
     if (!made) return false;
     EditPicture picture;
     picture.request = request.number;
@@ -231,7 +233,7 @@ bool EditBaker::make_resident(const WorkerRequest& request) {
     picture.material = std::move(material);
     picture.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    picture.normals = normals_;
+    if (!bumps_made_) picture.normals = normals_;
     finest_.reset();  // the host has no picture of it
     if (!request.moving && front_.wants_sheet())
         picture.texels = synthesizer_.read(picture.resident);
@@ -297,7 +299,7 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
     renew_surface(recipe, posed_ && !better);
     posed_ = false;
     const bool done = make_resident(request) || bake_levels(request, better, stop);
-    if (done && !request.moving && shown_bumps_) publish_normals();
+    if (done && !request.moving && shown_bumps_ && !bumps_made_) publish_normals();
     queue_jobs(request.recipe, request.moving);
     publish_sheet();
 }

@@ -110,6 +110,7 @@ class EditBaker {
     std::optional<LevelChoice> choice_;     ///< chooses the level to bake while a slider moves
     AtlasOptions shown_atlas_;              ///< atlas in `pipeline_`
     bool shown_bumps_ = false;              ///< whether the surface has bumps
+    bool bumps_made_ = false;  ///< whether OpenGL made their normal map with the last picture
     std::array<int, material_slots.size()> shown_maps_ = no_material_maps;  ///< the surface's
     std::shared_ptr<const EditMaterial> material_;                          ///< the newest level's
     bool fresh_ = true;          ///< no surface of this mesh was made yet

@@ -5,10 +5,27 @@
 
 #include <fmt/format.h>
 
+#include "app/editor/jobs/surface.h"
 #include "app/pipeline/measure_synthesis.h"
+#include "app/surface/tangents.h"
 #include "atlas/base/error.h"
 
 namespace burl {
+
+namespace {
+
+/// The tangent frames that Pipeline::normal_map has.
+FrameMaps frames_of(Pipeline& pipeline) {
+    const MeshAtlas& atlas = pipeline.mesh_atlas();
+    const NormalFrames frames = make_normal_frames(
+        pipeline.mesh(), atlas, {pipeline.recipe().solid.space, edit_crease_degrees, true});
+    return frame_maps(
+        pipeline.solid(),
+        {pipeline.atlas_mesh(), atlas.atlas(), frames.positions, frames.normals, frames.tangents},
+        0);
+}
+
+}  // namespace
 
 /// What the context holds.
 struct EditSynthesizer::Makers {
@@ -68,17 +85,26 @@ bool EditSynthesizer::chooses_gl(const Recipe& recipe, const SynthesisWish& wish
     return *faster_;
 }
 
+ResidentPicture EditSynthesizer::pictures(Pipeline& pipeline, Makers& made,
+                                          const std::vector<PicturePlan>& plans,
+                                          std::vector<int> numbers, int normals) {
+    const Recipe& recipe = pipeline.recipe();
+    const bool bumps = normals >= 0 && made.pictures.makes_bumps(recipe);
+    if (bumps && !made.pictures.has_frames()) made.pictures.set_frames(frames_of(pipeline));
+    if (bumps) numbers.push_back(normals);
+    return {made.pictures.make(pipeline.solid(), recipe, plans), std::move(numbers), {}};
+}
+
 std::optional<ResidentPicture> EditSynthesizer::make(Pipeline& pipeline, const SynthesisWish& wish,
                                                      const std::vector<PicturePlan>& plans,
-                                                     const std::vector<int>& numbers) {
+                                                     const std::vector<int>& numbers, int normals) {
     words_ = "the host";
     if (wish.by == EditSynthesis::host || !has_context()) return {};
     const CurrentContext current(*context_);
     Makers& made = *makers();
     const Recipe& recipe = pipeline.recipe();
     if (!chooses_gl(recipe, wish, made)) return {};
-    if (wish.by != EditSynthesis::passes)
-        return ResidentPicture{made.pictures.make(pipeline.solid(), recipe, plans), numbers, {}};
+    if (wish.by != EditSynthesis::passes) return pictures(pipeline, made, plans, numbers, normals);
     constexpr std::size_t all = std::size_t(-1);
     auto pictures = made.passes.make(pipeline.solid(), recipe, wish.pass > 0 ? wish.pass : all);
     return ResidentPicture{std::move(pictures), {numbers[0]}, made.passes.shown()};

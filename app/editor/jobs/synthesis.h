@@ -50,10 +50,11 @@ class EditSynthesizer {
     bool has_context() const;
 
     /// The pipeline's recipe by OpenGL; empty where the host is to make it, for which words() gives
-    /// the reason. `numbers` are those of the base colour's texture and of the plans' in the scene.
+    /// the reason. `numbers` are those of the base colour's texture and of the plans' in the scene,
+    /// `normals` that of the normal map (-1: none), which OpenGL makes where it can.
     std::optional<ResidentPicture> make(Pipeline& pipeline, const SynthesisWish& wish,
                                         const std::vector<PicturePlan>& plans,
-                                        const std::vector<int>& numbers);
+                                        const std::vector<int>& numbers, int normals);
     /// The texels of a picture's base colour, level 0.
     Image<Rgb8> read(const ResidentPicture& picture);
     /// Must be called before the pipeline's atlas changes or is destroyed.
@@ -66,6 +67,9 @@ class EditSynthesizer {
     Makers* makers();
     bool chooses_gl(const Recipe& recipe, const SynthesisWish& wish, Makers& made);
     void measure(const Recipe& recipe, Makers& made);
+    static ResidentPicture pictures(Pipeline& pipeline, Makers& made,
+                                    const std::vector<PicturePlan>& plans, std::vector<int> numbers,
+                                    int normals);
 
     mutable std::mutex mutex_;  ///< guards context_ until the worker thread has seen it
     std::unique_ptr<GlContext> context_;

@@ -130,11 +130,12 @@ ShaderSource GlGraphPass::set(const SolidAtlas& solid, const TextureGraph& graph
 }
 
 ShaderSource GlGraphPass::set_material(
-    const SolidAtlas& solid, const TextureGraph& graph, const Affine3& texture_from_atlas,
-    const Filter& filter, const std::function<std::string(const std::string&)>& outputs) {
+    const SolidAtlas& solid, const TextureGraph& graph, const TextureGraph& height,
+    const Affine3& texture_from_atlas, const Filter& filter,
+    const std::function<std::string(const std::string&)>& outputs) {
     set_atlas(solid, texture_from_atlas, 0, filter);
     texture_ = nodes_filter(filter.kind) ? glsl_filtered_graph(graph, filter, real())
-                                         : glsl_material(graph, {}, real());
+                                         : glsl_material(graph, height, real());
     make_inputs();
     if (!codes8_) codes8_.emplace(srgb8_table(*gl_));
     auto [source, color] = shader_of(texture_, filter.kind, float64_);

@@ -33,9 +33,10 @@ class GlGraphPass {
     /// Sets the same for a whole material, unfiltered where has_glsl_planes(), and returns a shader
     /// that ends with what `outputs` returns for the expression of a texel's base colour; it may
     /// call `uint srgb8(real)`, solid_point() where the filter is none, and what glsl_material()
-    /// defines.
+    /// defines. A filtered one has no height.
     ShaderSource set_material(const SolidAtlas& solid, const TextureGraph& graph,
-                              const Affine3& texture_from_atlas, const Filter& filter,
+                              const TextureGraph& height, const Affine3& texture_from_atlas,
+                              const Filter& filter,
                               const std::function<std::string(const std::string&)>& outputs);
     /// Sets the tile of the next draw: makes its point map or its spans where they are not kept.
     /// Returns the point map; null where the filter reads spans.

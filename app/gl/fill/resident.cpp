@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t map_budget = std::size_t(1) << 30;  // bytes of point maps that are kept
 constexpr int tile_side = 2048;
 constexpr std::size_t most_programs = 64, most_pictures = 8;
-constexpr int paint_unit = 15;
+/// The last texture units that OpenGL 3.3 has in any case: graphs' own begin at 0.
+constexpr int tangents_unit = 13, normals_unit = 14, paint_unit = 15;
 
 /// An expression for every plane of a material, by its number.
 std::vector<std::string> plane_texts(const TextureGraph& graph) {
@@ -53,10 +54,40 @@ std::string component_text(const PicturePlan& plan, std::size_t c,
     return fmt::format("code({0} > 0.0 ? ({1}) / {0} : {1})", alpha, text);
 }
 
+/// A vector as GLSL.
+std::string vector_text(const Vec3d& v) {
+    const auto number = [](double x) { return glsl_number(x, GlslReal::float32); };
+    return fmt::format("vec3({}, {}, {})", number(v.x), number(v.y), number(v.z));
+}
+
+/// Normals in tangent frames as in procedural/fill/tangent_frame.h and procedural/graph/bump.h.
+std::string bumps_text(const Recipe& recipe, std::size_t output) {
+    const Mat3d linear = texture_from_solid(recipe).linear;
+    return fmt::format(R"(
+uniform sampler2D frame_normals, frame_tangents;
+layout(location = {0}) out vec4 picture{0};
+const mat3 height_linear = mat3({1}, {2}, {3});
+vec3 bumped(ivec2 place, ivec2 texel) {{
+    vec4 frame = texelFetch(frame_normals, place, 0);
+    vec3 normal = frame.xyz, tangent = texelFetch(frame_tangents, place, 0).xyz;
+    if (normal == vec3(0.0)) return vec3(0.0, 0.0, 1.0);
+    vec3 gradient = {4} * (vec3(bump_input(solid_point(texel)).yzw) * height_linear);
+    vec3 along = gradient - dot(gradient, normal) * normal;
+    if (along == vec3(0.0)) return vec3(0.0, 0.0, 1.0);
+    vec3 v = normalize(normal - along), bitangent = frame.w * cross(normal, tangent);
+    float slant = dot(tangent, normal), right = dot(tangent, v), up = dot(normal, v);
+    vec3 c = vec3(right - slant * up, dot(bitangent, v), max(up - slant * right, 0.0));
+    return dot(bitangent, bitangent) > 1e-12 && dot(c, c) > 0.0 ? normalize(c) : vec3(0.0, 0.0, 1.0);
+}}
+)",
+                       output, vector_text(linear[0]), vector_text(linear[1]),
+                       vector_text(linear[2]), glsl_number(recipe.bump.height, GlslReal::float32));
+}
+
 /// The last part of the shader: an output per picture. `color` is an expression of the base colour
 /// of `texel`; without planes it is all that there is.
 std::string outputs_text(const Recipe& recipe, const std::vector<PicturePlan>& plans,
-                         const std::string& color) {
+                         const std::string& color, bool bumps) {
     // The lines of texels that filters read have the tile's corner already.
     std::string text = recipe.filter.kind == FilterKind::none ? "uniform ivec2 tile_origin;\n" : "";
     text +=
@@ -66,6 +97,7 @@ std::string outputs_text(const Recipe& recipe, const std::vector<PicturePlan>& p
         text += "uniform sampler2D paint;  // premultiplied linear light\n";
     for (std::size_t i = 1; i <= plans.size(); ++i)
         text += fmt::format("layout(location = {0}) out vec4 picture{0};\n", i);
+    if (bumps) text += bumps_text(recipe, plans.size() + 1);
     text += "void main() {\n    ivec2 texel = ivec2(gl_FragCoord.xy) - tile_origin;\n";
     if (has_glsl_planes(recipe.texture))
         text +=
@@ -84,6 +116,10 @@ std::string outputs_text(const Recipe& recipe, const std::vector<PicturePlan>& p
         for (std::size_t c = 0; c < 4; ++c) all[c] = component_text(plans[i], c, planes);
         text += fmt::format("    picture{} = vec4({});\n", i + 1, fmt::join(all, ", "));
     }
+    if (bumps)
+        text += fmt::format(
+            "    picture{} = vec4(0.5 + 0.5 * bumped(ivec2(gl_FragCoord.xy), texel), 1.0);\n",
+            plans.size() + 1);
     return text + "}\n";
 }
 
@@ -189,13 +225,34 @@ std::string GlPictureMaker::problem(const Recipe& recipe) const {
     return mask.empty() ? "" : no_texels_for(mask);
 }
 
+bool GlPictureMaker::makes_bumps(const Recipe& recipe) const {
+    const bool filtered = recipe.filter.kind != FilterKind::none || recipe.filter.band_limit;
+    return !recipe.bump.empty() && !filtered && no_height_shader(recipe.bump.input).empty();
+}
+
+void GlPictureMaker::set_frames(const FrameMaps& frames) {
+    const GlSize size{int(frames.normals.width()), int(frames.normals.height())};
+    frames_ = Frames{make_texture(*gl_, GL_RGBA32F, size, frames.normals.pixels()),
+                     make_texture(*gl_, GL_RGBA32F, size, frames.tangents.pixels())};
+}
+
+/// Binds what the graph does not read.
+void GlPictureMaker::bind_inputs(const GlProgram& program, const GlTexture* paint) const {
+    if (paint) bind_texture(*gl_, program, "paint", paint_unit, *paint);
+    if (!frames_) return;
+    bind_texture(*gl_, program, "frame_normals", normals_unit, frames_->normals);
+    bind_texture(*gl_, program, "frame_tangents", tangents_unit, frames_->tangents);
+}
+
 /// The program of a recipe, which stays until the atlas is forgotten; sets graph_.
 const GlProgram& GlPictureMaker::program(const Recipe& recipe,
                                          const std::vector<PicturePlan>& plans,
                                          const SolidAtlas& solid) {
+    const bool bumps = draws_bumps(recipe);
     const ShaderSource source = graph_.set_material(
-        solid, recipe.texture, texture_from_solid(recipe), recipe.filter,
-        [&](const std::string& color) { return outputs_text(recipe, plans, color); });
+        solid, recipe.texture, bumps ? recipe.bump.input : TextureGraph(),
+        texture_from_solid(recipe), recipe.filter,
+        [&](const std::string& color) { return outputs_text(recipe, plans, color, bumps); });
     if (programs_.size() >= most_programs) programs_.clear();
     std::string text = source.text();
     if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
@@ -224,7 +281,7 @@ void GlPictureMaker::draw(const GlPictures& into, const GlProgram& program,
         program.use();
         graph_.bind<Rgb8>(program, points.get());
         program.set("tile_origin", tile.origin);
-        if (paint) bind_texture(*gl_, program, "paint", paint_unit, *paint);
+        bind_inputs(program, paint);
         pass_.draw();
     });
     check_gl(*gl_, "drawing a material");
@@ -234,10 +291,11 @@ std::shared_ptr<const GlPictures> GlPictureMaker::make(const SolidAtlas& solid,
                                                        const Recipe& recipe,
                                                        const std::vector<PicturePlan>& plans) {
     std::string why = problem(recipe);
-    if (why.empty() && plans.size() + 1 > most_pictures) why = "it has too many pictures";
+    if (why.empty() && plans.size() + 2 > most_pictures) why = "it has too many pictures";
     if (!why.empty()) throw Error(ExitCode::unsupported, why);
     std::vector<bool> is_color{true};
     for (const PicturePlan& plan : plans) is_color.push_back(plan.is_color);
+    if (draws_bumps(recipe)) is_color.push_back(false);
     const std::shared_ptr<GlPictures> pictures = pool_.take(int(solid.size), is_color);
     const GlProgram& made = program(recipe, plans, solid);
     const GlTexture* paint =
@@ -253,6 +311,7 @@ std::shared_ptr<const GlPictures> GlPictureMaker::make(const SolidAtlas& solid,
 void GlPictureMaker::forget_atlas() {
     graph_.forget_atlas();
     paint_.forget_atlas();
+    frames_.reset();
 }
 
 GlPassMaker::GlPassMaker(GlContext& context)

@@ -1,7 +1,8 @@
 #pragma once
 // A recipe's pictures made where they are shown: OpenGL textures with all MIP levels, for another
 // context that shares them. One draw fills the base colour and the pictures of the material's
-// channels together, so that what they share is evaluated once; paint lies over the base colour.
+// channels together, so that what they share is evaluated once, and the normal map of bumps; paint
+// lies over the base colour.
 // Shaders compute in float32, as graphics processors are built for: codes are the host's to one.
 #include <map>
 #include <memory>
@@ -14,14 +15,16 @@
 #include "app/gl/fill/multipass.h"
 #include "app/paint/layer.h"
 #include "app/recipe/recipe.h"
+#include "procedural/fill/normals.h"
 #include "procedural/fill/pictures.h"
 
 namespace burl {
 
 /// Square textures with all MIP levels, trilinear and clamped to their edges. Colours are sRGB.
 struct GlPictures {
-    int side = 0;                   ///< texels a side
-    std::vector<GlTexture> images;  ///< the base colour, then one per plan
+    int side = 0;  ///< texels a side
+    /// The base colour, then one per plan, then the normal map of bumps if there is one.
+    std::vector<GlTexture> images;
     std::vector<bool> is_color;
 };
 
@@ -59,8 +62,14 @@ class GlPictureMaker {
 
     /// The reason why the pictures cannot be made, as a clause; empty where they can.
     std::string problem(const Recipe& recipe) const;
-    /// Makes the base colour and the pictures of `plans`; all commands are done at the end. Throws
-    /// Error: unsupported where problem() gives a reason, runtime when memory runs out.
+    /// Whether the normal map of the recipe's bumps can be made besides.
+    bool makes_bumps(const Recipe& recipe) const;
+    /// Sets the atlas's tangent frames, which bumps need, until it is forgotten.
+    void set_frames(const FrameMaps& frames);
+    bool has_frames() const { return frames_.has_value(); }
+    /// Makes the base colour, the pictures of `plans` and, with frames, the normal map where
+    /// makes_bumps(); all commands are done at the end. Throws Error: unsupported where problem()
+    /// gives a reason, runtime when memory runs out.
     std::shared_ptr<const GlPictures> make(const SolidAtlas& solid, const Recipe& recipe,
                                            const std::vector<PicturePlan>& plans);
     /// Drops everything about the atlas; must be called before it changes or is destroyed.
@@ -69,6 +78,8 @@ class GlPictureMaker {
   private:
     const GlProgram& program(const Recipe& recipe, const std::vector<PicturePlan>& plans,
                              const SolidAtlas& solid);
+    bool draws_bumps(const Recipe& recipe) const { return frames_ && makes_bumps(recipe); }
+    void bind_inputs(const GlProgram& program, const GlTexture* paint) const;
     void draw(const GlPictures& into, const GlProgram& program, const GlTexture* paint);
 
     const GladGLContext* gl_;
@@ -76,7 +87,11 @@ class GlPictureMaker {
     GlFullScreen pass_;
     GlFramebufferName framebuffer_;
     GlPicturePool pool_;
+    struct Frames {
+        GlTexture normals, tangents;
+    };
     GlPaint paint_;
+    std::optional<Frames> frames_;
     std::map<std::string, GlProgram> programs_;  ///< keyed by the text of the fragment shader
 };
 

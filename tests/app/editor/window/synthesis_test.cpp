@@ -46,7 +46,7 @@ const std::vector<std::string> value_noise{"texture.input.noise.0.kind=value",
                                            "texture.input.noise.0.octaves=1"};
 
 TEST_F(GlEditSynthesisTest, OpenGlShowsWhatTheHostShows) {
-    for (const char* recipe : {"marble", "oak"}) {
+    for (const char* recipe : {"marble", "oak", "hammered"}) {
         SCOPED_TRACE(recipe);
         const Image<Rgb8> host = settled(*start_by(EditSynthesis::host, recipe));
         auto editor = start_by(EditSynthesis::gl, recipe);

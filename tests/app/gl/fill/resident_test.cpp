@@ -10,6 +10,7 @@
 #include "app/pipeline/pipeline.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/surface/sample_meshes.h"
+#include "app/surface/tangents.h"
 #include "tests/app/gl/device/fixture.h"
 
 namespace burl {
@@ -82,6 +83,39 @@ TEST_F(GlResidentTest, ColoursAreTheHosts) {
 TEST_F(GlResidentTest, ChannelsAreTheHosts) {
     for (const char* name : {"oak", "rust", "gold"})
         expect_hosts(load_recipe(name, {"atlas.size=64", "atlas.kind=quad"}));
+}
+
+/// Normals are within two codes of the host's, but for texels at sharp rises.
+TEST_F(GlResidentTest, BumpsAreTheHosts) {
+    for (const char* name : {"hammered", "orange-peel", "hammered-copper", "brick-wall"}) {
+        SCOPED_TRACE(name);
+        const Recipe recipe = load_recipe(name, {"atlas.size=128", "atlas.kind=quad"});
+        ASSERT_FALSE(recipe.bump.empty());
+        Pipeline pipeline(sample_mesh("sample:teapot"));
+        pipeline.set_recipe(recipe);
+        GlPictureMaker maker(*context);
+        ASSERT_TRUE(maker.makes_bumps(recipe));
+        EXPECT_EQ(maker.make(pipeline.solid(), recipe, {})->images.size(), 1u);
+        const NormalFrames frames = make_normal_frames(pipeline.mesh(), pipeline.mesh_atlas(),
+                                                       {recipe.solid.space, 60.0, true});
+        maker.set_frames(frame_maps(pipeline.solid(),
+                                    {pipeline.atlas_mesh(), pipeline.atlas(), frames.positions,
+                                     frames.normals, frames.tangents},
+                                    0));
+        const auto pictures = maker.make(pipeline.solid(), recipe, {});
+        ASSERT_EQ(pictures->images.size(), 2u);
+        const auto drawn = read(pictures->images[1], 0, pictures->side);
+        const Image<Rgb8> host = pipeline.normal_map<Rgb8>(60.0, true);
+        std::size_t far = 0, bumped = 0;
+        for (std::size_t i = 0; i < host.pixels().size(); ++i) {
+            const Rgb8 h = host.pixels()[i];
+            bumped += std::abs(h.r - 128) > 3 || std::abs(h.g - 128) > 3;
+            far += std::abs(h.r - drawn[4 * i]) > 2 || std::abs(h.g - drawn[4 * i + 1]) > 2 ||
+                   std::abs(h.b - drawn[4 * i + 2]) > 2;
+        }
+        EXPECT_GT(bumped, host.pixels().size() / 20);
+        EXPECT_LT(far, host.pixels().size() / 200);
+    }
 }
 
 TEST_F(GlResidentTest, PaintIsTheHostsAndGoes) {
