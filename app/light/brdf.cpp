@@ -40,7 +40,7 @@ Vec3d sun_diffuse(const Sun& sun, const Vec3d& normal) {
     return mean / std::numbers::pi * Vec3d(sun.light);
 }
 
-/// What a GGX lobe sends to the view of the sun's light from unit direction `light`.
+/// The sun's light from unit direction `light` that a GGX lobe sends to the view.
 Vec3d sun_glossy(const Sun& sun, const Fresnel& fresnel, double roughness, const Vec3d& normal,
                  const Vec3d& view, const Vec3d& light) {
     const double nl = glm::dot(normal, light);

@@ -30,7 +30,7 @@ void each_pixel(Map& map, const Use& use) {
     }
 }
 
-/// What the pixels of a map add up to.
+/// The sum of a map's pixels.
 struct Whole {
     double light = 0.0;  ///< luminance times solid angle
     double brightest = 0.0;

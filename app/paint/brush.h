@@ -33,8 +33,8 @@ class PaintBrush {
     /// hardness times the radius, then a smoothstep down to 0 at the radius. The smoothstep is at
     /// least one texel wide, so that hard edges are antialiased. `texel` is in solid units.
     double coverage(double squared_distance, double texel) const;
-    /// The same at a point near some of the stroke's segments, of which there is at least one, with
-    /// its gradient in solid space.
+    /// The coverage at a point near some of the stroke's segments, of which there is at least one,
+    /// with its gradient in solid space.
     Dual coverage(const Vec3d& point, std::span<const PaintSegment> near, double texel) const;
     /// The paint after laying the stroke over `below`, or erasing from it, with this coverage.
     PaintLight over(const PaintLight& below, double coverage) const;

@@ -35,7 +35,7 @@ struct EditPicture {
     Image<Rgb8> texels{};
     /// `texels` in OpenGL's format, with the coarser MIP levels.
     std::vector<Image<Rgba8>> levels{};
-    /// What OpenGL made where it is, instead of `levels` and of the material's pictures.
+    /// The textures that OpenGL made, instead of `levels` and of the material's pictures.
     ResidentPicture resident{};
     std::string by{};      ///< who made it, in words
     double seconds = 0.0;  ///< time it took to bake, in seconds

@@ -46,7 +46,7 @@ class NodePictures {
     void wait() const { jobs_.wait(); }
 
   private:
-    /// What a job draws.
+    /// The subject of a job.
     struct Ball {
         std::shared_ptr<const Recipe> recipe;
         std::string mesh, place;

@@ -27,7 +27,7 @@ FrameMaps frames_of(Pipeline& pipeline) {
 
 }  // namespace
 
-/// What the context holds.
+/// The makers in the context.
 struct EditSynthesizer::Makers {
     explicit Makers(GlContext& context) : pictures(context), passes(context) {}
     GlPictureMaker pictures;

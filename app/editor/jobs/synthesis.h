@@ -21,7 +21,7 @@ enum class EditSynthesis { automatic, host, gl, passes };
 template <>
 inline constexpr auto enum_names<EditSynthesis> = enum_words("auto", "host", "gl", "gl-multipass");
 
-/// What a person chose.
+/// A person's choice.
 struct SynthesisWish {
     EditSynthesis by = EditSynthesis::automatic;
     std::size_t pass = 0;  ///< the pass to look at, from 1 on; 0: the finished texture

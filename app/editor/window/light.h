@@ -26,7 +26,7 @@ class EditLight {
     /// The light chosen, or, until it is ready, the one before; null: the headlight. The OpenGL
     /// context must be current.
     std::shared_ptr<const GlLight> light();
-    /// What light() last returned, for the host; null: the headlight.
+    /// The last result of light(), for the host; null: the headlight.
     const std::shared_ptr<const PrefilteredLight>& on_host() const { return on_host_; }
 
     /// Whether the first light of all is still being prepared, before which nothing is lit.

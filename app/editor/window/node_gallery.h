@@ -15,7 +15,7 @@
 
 namespace burl {
 
-/// What pictures of nodes show them on, and the light of those on balls.
+/// The mesh of nodes' pictures, and the light of those on balls.
 struct BallScene {
     std::string mesh{};  ///< a file or sample:NAME
     BallLight light{};

@@ -26,8 +26,8 @@ void check_size(const GladGLContext& gl, const Image<Rgba8>& image) {
 
 constexpr std::size_t piece_bytes = std::size_t(1) << 20;
 constexpr std::chrono::milliseconds patience{4};  ///< longest upload of a surface in a frame
-/// What a software OpenGL draws of a view at rest in a frame: triangles of a large surface, and
-/// samples; an environment's light takes longer.
+/// The part of a view at rest that a software OpenGL draws in a frame: triangles of a large
+/// surface, and samples; an environment's light takes longer.
 constexpr std::size_t part_triangles = 40'000, part_samples = 500'000;
 
 /// The pixels that are drawn, and the samples.

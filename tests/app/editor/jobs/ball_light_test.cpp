@@ -15,7 +15,7 @@ BallLight light_of(const char* name) {
     return std::make_shared<const PrefilteredLight>(prefilter(make_environment(name, 64), 64));
 }
 
-/// What `burl render --direct --rays 0` draws, with the environment's own 256 rows.
+/// The picture of `burl render --direct --rays 0`, with the environment's own 256 rows.
 Image<Rgb8> rendered(const std::string& recipe, const std::string& light, int side) {
     DirectOptions options;
     options.scene = "sample:icosphere";
@@ -61,7 +61,7 @@ TEST(BallLight, ChangesThumbnailsWhichStayUntilThen) {
     EXPECT_EQ(*thumbnails.picture("gold", 16), *head);
 }
 
-/// What is seen comes first: thumbnails of the old light that nobody asks for again are not made.
+/// Thumbnails in view come first: those of the old light that nobody asks for again are not made.
 TEST(BallLight, DropsThumbnailsThatWaitInAnotherLight) {
     EditThumbnails thumbnails([] {});
     thumbnails.hold(true);

@@ -180,7 +180,7 @@ TEST_F(GlResidentTest, LevelsAreMeansInLinearLight) {
         }
 }
 
-/// What is shown is never drawn over.
+/// Pictures that are shown are never drawn over.
 TEST_F(GlResidentTest, PicturesInUseStay) {
     const Recipe marble = load_recipe("marble", {"atlas.size=32", "atlas.kind=quad"});
     const Recipe wood = load_recipe("wood", {"atlas.size=32", "atlas.kind=quad"});
