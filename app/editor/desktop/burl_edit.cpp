@@ -44,16 +44,10 @@ void run(Command command) {
     if (editor.recording()) write_file(command.record, script_text(*editor.recording()));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    CLI::App program{"Texture editor: open a mesh, move sliders, save a .glb"};
-    Command command;
-    command.editor.recipe = "malachite";  // what shows best, in the studio, what there is to edit
+/// Adds the options of what is shown at first.
+void add_editor_options(CLI::App& program, Command& command) {
     const std::vector<std::string> lights = burl::light_names();
     const auto& synths = burl::enum_names<burl::EditSynthesis>;
-    const auto platforms = burl::gl_platforms();
-    program.set_version_flag("--version", std::string(burl::burl_version()));
     program
         .add_option("mesh", command.editor.mesh,
                     "Mesh file, or sample:NAME; a recipe file is shown on the teapot")
@@ -76,6 +70,11 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     program.add_option("--ui-scale", command.editor.ui_scale, "Size of text and panels")
         ->check(CLI::Range(0.5, 4.0));
+}
+
+/// Adds the options of scripts.
+void add_script_options(CLI::App& program, Command& command) {
+    const auto platforms = burl::gl_platforms();
     auto* script = program.add_option("--script", command.script, "Input to replay");
     program.add_option("--screenshot-dir", command.screenshots, "Folder of the script's pictures")
         ->needs(script);
@@ -90,6 +89,17 @@ int main(int argc, char** argv) {
         ->check(burl::one_of({platforms.begin(), platforms.end()}))
         ->capture_default_str()
         ->needs(unseen);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App program{"Texture editor: open a mesh, move sliders, save a .glb"};
+    Command command;
+    command.editor.recipe = "malachite";  // what shows best, in the studio, what there is to edit
+    program.set_version_flag("--version", std::string(burl::burl_version()));
+    add_editor_options(program, command);
+    add_script_options(program, command);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& asked) {
