@@ -126,6 +126,19 @@ void store(const Influences& influences, std::size_t vertex, SkinSets& sets) {
     }
 }
 
+/// Brings whole weights of a vertex to the sum 1, from which rounded means may be off by a code.
+void mend_sum(SkinSets& sets, std::size_t vertex) {
+    double rest = 1.0;
+    std::size_t set = 0, largest = 0;
+    for (std::size_t i = 0; i < 4 * sets.weights.size(); ++i) {
+        const double weight = component(sets.weights[i / 4], vertex, i % 4);
+        rest -= weight;
+        if (weight > component(sets.weights[set], vertex, largest)) set = i / 4, largest = i % 4;
+    }
+    Elements& weights = sets.weights[set];
+    set_component(weights, vertex, largest, component(weights, vertex, largest) + rest);
+}
+
 void store_middle(const SkinSets& source, const KeptVertex& middle, std::size_t vertex,
                   SkinSets& sets) {
     Influences influences = influences_of(source, middle);
@@ -164,10 +177,10 @@ SkinSets extended(const SkinSets& source, std::span<const KeptVertex> vertices) 
         result.weights.push_back(extended("", weights, vertices));
     for (std::size_t i = count; i < vertices.size(); ++i) {
         const KeptVertex& vertex = vertices[i];
-        // Means of whole numbers need not have the sum 1.
-        if (result.weights[0].component_type == gltf_float && same_joints(source, vertex)) {
+        if (same_joints(source, vertex)) {
             for (std::size_t set = 0; set < source.joints.size(); ++set)
                 copy_element(source.joints[set], vertex.a, result.joints[set], i);
+            if (result.weights[0].component_type != gltf_float) mend_sum(result, i);
             continue;
         }
         for (Elements& weights : result.weights)

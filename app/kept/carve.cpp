@@ -184,7 +184,7 @@ void Carver::write_indices(const VertexGroup& group, std::size_t number, Json& t
     }
     if (same) return;
     target["indices"] = document_.add_indices(indices, group.vertices.all().size());
-    target["mode"] = triangles_mode;
+    if (target.value("mode", triangles_mode) != triangles_mode) target["mode"] = triangles_mode;
 }
 
 void Carver::extend_skin(const VertexGroup& group, const Json& attributes, Json& result) {

@@ -42,9 +42,8 @@ struct Bar : GltfDraft {
     /// A second mesh of the same form in a node beside.
     void add_second_mesh(const char* name) {
         json["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive()})}});
-        json["nodes"].push_back({{"mesh", json["meshes"].size() - 1},
-                                 {"name", name},
-                                 {"translation", {2, 0, 0}}});
+        json["nodes"].push_back(
+            {{"mesh", json["meshes"].size() - 1}, {"name", name}, {"translation", {2, 0, 0}}});
         json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
     }
     void add_skin() {
@@ -91,9 +90,9 @@ struct Bar : GltfDraft {
         return changes;
     }
     void add_targets() {
-        first()["targets"] = Json::array({{{"POSITION", bounded(bulge(0.3f), 3)},
-                                           {"NORMAL", floats(bulge(0.01f), 3)}},
-                                          {{"POSITION", bounded(bulge(-0.2f), 3)}}});
+        first()["targets"] = Json::array(
+            {{{"POSITION", bounded(bulge(0.3f), 3)}, {"NORMAL", floats(bulge(0.01f), 3)}},
+             {{"POSITION", bounded(bulge(-0.2f), 3)}}});
         json["meshes"][0]["weights"] = {0.25, 0.0};
         json["meshes"][0]["extras"] = {{"targetNames", {"fat", "thin"}}};
     }
@@ -149,10 +148,11 @@ void quantise(Bar& d) {
     for (std::size_t i = 0; i < positions.size(); ++i)
         if (i % 4 < 3) packed.push_back(positions[i]);
     Bar::add_bounds(d.json["accessors"][p], packed, 3);
-    d.attributes() = {
-        {"POSITION", p},
-        {"NORMAL", add(d.view(normals, {{"byteStride", 4}, {"target", 34962}}), 5120, "VEC3", true)},
-        {"TEXCOORD_0", add(d.view(uvs, {{"byteStride", 4}, {"target", 34962}}), 5123, "VEC2", true)}};
+    d.attributes() = {{"POSITION", p},
+                      {"NORMAL", add(d.view(normals, {{"byteStride", 4}, {"target", 34962}}), 5120,
+                                     "VEC3", true)},
+                      {"TEXCOORD_0", add(d.view(uvs, {{"byteStride", 4}, {"target", 34962}}), 5123,
+                                         "VEC2", true)}};
     d.json["nodes"][0]["scale"] = {0.000125, 0.000125, 0.000125};
 }
 
@@ -182,10 +182,9 @@ void sparse_positions(Bar& d) {
     const std::vector<std::uint16_t> numbers{3, 20, 40};
     const std::vector<float> places{0.4f, 0.1f, 0.0f, 0.2f, 0.3f, 0.4f, -0.4f, 1.0f, 0.1f};
     Json& accessor = d.json["accessors"][d.attributes()["POSITION"].get<std::size_t>()];
-    accessor["sparse"] = {
-        {"count", 3},
-        {"indices", {{"bufferView", d.view(numbers)}, {"componentType", 5123}}},
-        {"values", {{"bufferView", d.view(places)}}}};
+    accessor["sparse"] = {{"count", 3},
+                          {"indices", {{"bufferView", d.view(numbers)}, {"componentType", 5123}}},
+                          {"values", {{"bufferView", d.view(places)}}}};
     accessor["min"] = accessor["max"] = Json::array();
     std::vector<float> positions = d.arrays.positions;
     for (std::size_t i = 0; i < 3; ++i)
@@ -214,7 +213,8 @@ void fans(Bar& d) {
 void unindexed(Bar& d) {
     std::vector<float> positions, uvs;
     for (const std::uint16_t i : d.arrays.indices) {
-        positions.insert(positions.end(), &d.arrays.positions[3 * i], &d.arrays.positions[3 * i] + 3);
+        positions.insert(positions.end(), &d.arrays.positions[3 * i],
+                         &d.arrays.positions[3 * i] + 3);
         uvs.insert(uvs.end(), &d.arrays.uvs[2 * i], &d.arrays.uvs[2 * i] + 2);
     }
     d.first().erase("indices");
@@ -234,17 +234,18 @@ void lights(Bar& d) {
     d.use("KHR_lights_punctual");
     d.json["extensions"]["KHR_lights_punctual"]["lights"] =
         Json::array({{{"type", "point"}, {"intensity", 40}, {"name", "lamp"}}});
-    d.json["nodes"].push_back({{"name", "lamp"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    d.json["nodes"].push_back(
+        {{"name", "lamp"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
     d.json["scenes"][0]["nodes"].push_back(1);
 }
 
 void cameras(Bar& d) {
-    d.json["cameras"] = Json::array(
-        {{{"type", "perspective"},
-          {"name", "front"},
-          {"perspective", {{"yfov", 0.7}, {"znear", 0.1}, {"zfar", 100}}}},
-         {{"type", "orthographic"},
-          {"orthographic", {{"xmag", 2}, {"ymag", 2}, {"znear", 0.1}, {"zfar", 10}}}}});
+    d.json["cameras"] =
+        Json::array({{{"type", "perspective"},
+                      {"name", "front"},
+                      {"perspective", {{"yfov", 0.7}, {"znear", 0.1}, {"zfar", 100}}}},
+                     {{"type", "orthographic"},
+                      {"orthographic", {{"xmag", 2}, {"ymag", 2}, {"znear", 0.1}, {"zfar", 10}}}}});
     d.json["nodes"].push_back({{"camera", 0}, {"translation", {0, 1, 5}}});
     d.json["nodes"].push_back({{"camera", 1}, {"name", "top"}});
     d.json["scenes"][0]["nodes"] = {0, 1, 2};
@@ -282,8 +283,8 @@ void textured_neighbour(Bar& d) {
     d.use("KHR_texture_transform");
     d.use("KHR_materials_unlit");
     const std::size_t a = d.add_texture("old"), b = d.add_texture("kept");
-    d.material({{"name", "Wood"},
-                {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", a}}}}}});
+    d.material(
+        {{"name", "Wood"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", a}}}}}});
     d.material({{"name", "Shade"},
                 {"extensions", {{"KHR_materials_unlit", Json::object()}}},
                 {"pbrMetallicRoughness",
@@ -359,13 +360,15 @@ void sparse_targets(Bar& d) {
 
 void cubic_animation(Bar& d) {
     std::vector<float> keys;
-    for (int i = 0; i < 9; ++i) keys.insert(keys.end(), {0.1f * float(i), 0.2f, -0.3f * float(i % 2)});
+    for (int i = 0; i < 9; ++i)
+        keys.insert(keys.end(), {0.1f * float(i), 0.2f, -0.3f * float(i % 2)});
     d.add_animation(0, "translation", keys, 3, "CUBICSPLINE");
 }
 
 void second_scene(Bar& d) {
     d.add_second_mesh("other");
-    d.json["scenes"] = Json::array({{{"nodes", {0}}, {"name", "one"}}, {{"nodes", {1}}, {"name", "two"}}});
+    d.json["scenes"] =
+        Json::array({{{"nodes", {0}}, {"name", "one"}}, {{"nodes", {1}}, {"name", "two"}}});
 }
 
 void lines_beside(Bar& d) {
@@ -376,8 +379,10 @@ void lines_beside(Bar& d) {
 void more_attributes(Bar& d) {
     d.attributes()["TEXCOORD_1"] = d.floats(d.arrays.uvs, 2);
     d.attributes()["COLOR_0"] = d.floats(d.arrays.colors, 4);
-    d.attributes()["_TEMPERATURE"] = d.floats(
-        std::vector<float>(d.arrays.uvs.begin(), d.arrays.uvs.begin() + std::ptrdiff_t(d.arrays.count())), 1);
+    d.attributes()["_TEMPERATURE"] =
+        d.floats(std::vector<float>(d.arrays.uvs.begin(),
+                                    d.arrays.uvs.begin() + std::ptrdiff_t(d.arrays.count())),
+                 1);
 }
 
 void byte_colors(Bar& d) {
@@ -412,7 +417,10 @@ std::map<std::string, std::string> kept_samples() {
         {"morph_animated", morph_animation},
         {"morph_sparse", sparse_targets},
         {"cubic", cubic_animation},
-        {"steps", [](Bar& d) { d.add_animation(0, "scale", {1, 1, 1, 2, 1, 1, 1, 3, 1}, 3, "STEP"); }},
+        {"steps",
+         [](Bar& d) {
+             d.add_animation(0, "scale", {1, 1, 1, 2, 1, 1, 1, 3, 1}, 3, "STEP");
+         }},
         {"two_materials", two_materials},
         {"two_materials_skin", [](Bar& d) { d.add_skin(), two_materials(d), d.bend_knee(); }},
         {"two_meshes", [](Bar& d) { d.add_second_mesh("second"); }},

@@ -58,7 +58,8 @@ class GltfDraft {
         return number;
     }
     template <class Value>
-    static void add_bounds(Json& accessor, const std::vector<Value>& values, std::size_t components) {
+    static void add_bounds(Json& accessor, const std::vector<Value>& values,
+                           std::size_t components) {
         for (std::size_t k = 0; k < components; ++k) {
             Value low = values[k], high = low;
             for (std::size_t i = k; i < values.size(); i += components)
@@ -70,9 +71,9 @@ class GltfDraft {
 
     std::string text() const {
         Json whole = json;
-        whole["buffers"] = Json::array(
-            {{{"byteLength", bytes_.size()},
-              {"uri", "data:application/octet-stream;base64," + base64(bytes_)}}});
+        whole["buffers"] =
+            Json::array({{{"byteLength", bytes_.size()},
+                          {"uri", "data:application/octet-stream;base64," + base64(bytes_)}}});
         return whole.dump();
     }
     static std::string base64(const std::vector<std::uint8_t>& bytes) {
