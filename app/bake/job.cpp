@@ -275,8 +275,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
         warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
                          lost));
     std::optional<MeshPose> pose;
-    if (!command_.pose.empty())
-        pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
+    if (!command_.pose.empty()) pose = command_.meshes.pose(command_.mesh, command_.pose);
     pipeline.set_threads(command_.threads);
     pipeline.set_kernel(kernel_named(command_.kernel));
     pipeline.set_forward(command_.kernel == forward_kernel);

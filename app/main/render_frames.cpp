@@ -20,7 +20,6 @@
 #include "app/recipe/lattice_check.h"
 #include "app/recipe/presets.h"
 #include "app/scene/scene.h"
-#include "app/scene/up_axis.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 
@@ -92,7 +91,7 @@ RenderedFrames scene_frames(const RenderCommand& command, CommandFiles& files) {
     drawn->scene = load_scene(options.scene);
     for (const std::string& note : drawn->scene.notes) warn(note);
     files.read(drawn->scene.files);
-    turn(drawn->scene, upright(options.up));
+    turn(drawn->scene, frame_transform(options.meshes.frame));
     drawn->sphere = bounding_sphere(drawn->scene);
     drawn->context = create_gl_context(command.platform);
     drawn->context->make_current();
@@ -153,7 +152,6 @@ LazyOptions lazy_options(const RenderCommand& command) {
     lazy.crease_degrees = options.crease;
     lazy.skips = command.economy.skips();
     lazy.rule = level_rule_named(command.level_rule.value_or("direct"));
-    lazy.upright = upright(options.up);
     return lazy;
 }
 
@@ -203,7 +201,7 @@ RenderedFrames lazy_frames(const RenderCommand& command, CommandFiles& files) {
             lazy->cells.push_back(std::move(recipes));
         });
     if (!options.pose.empty()) {
-        lazy->pose = load_pose(options.scene, options.pose, options.meshes.read);
+        lazy->pose = options.meshes.pose(options.scene, options.pose);
         lazy->options.pose = &*lazy->pose;
     }
     lazy->context = create_gl_context(command.platform);

@@ -132,9 +132,12 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
 /// A key that is equal for bakes that can use one pipeline.
 std::string mesh_key(const Bake& bake) {
     const BakeCommand& command = bake.job.command();
-    return fmt::format("{} {} {} {}", command.meshes.read.weld,
+    const MeshFrame& frame = command.meshes.frame;
+    const Vec3d& turn = frame.rotate;
+    return fmt::format("{} {} {} {} {},{},{} {} {} {}", command.meshes.read.weld,
                        command.meshes.read.unshare_instances, command.displace.value_or(0),
-                       real_path(command.mesh));
+                       frame.up, turn.x, turn.y, turn.z, frame.scale,
+                       frame.units ? to_string(*frame.units) : "", real_path(command.mesh));
 }
 
 using Group = std::vector<Bake*>;

@@ -208,6 +208,31 @@ void MeshOptions::add(CLI::App& verb) {
         ->check(in_range(0.0, 0.1));
     verb.add_flag("--unshare-instances", read.unshare_instances,
                   "Bake each glTF instance by itself, in scene space");
+    add_frame(verb);
+}
+
+void MeshOptions::add_frame(CLI::App& verb) {
+    verb.add_option("--up", frame.up,
+                    "Axis of the mesh's file that points up: y (glTF), z (scans, CAD, Blender), "
+                    "-z, x, -x or -y; the mesh is turned so that it is y")
+        ->check(one_of({up_axes.begin(), up_axes.end()}))
+        ->capture_default_str();
+    verb.add_option_function<std::vector<double>>(
+            "--rotate",
+            [this](const std::vector<double>& degrees) {
+                frame.rotate = {degrees[0], degrees[1], degrees[2]};
+            },
+            "Turn the mesh, after --up, by these degrees about x, then y, then z: X,Y,Z")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(in_range(-360.0, 360.0));
+    verb.add_option("--scale", frame.scale, "Factor of the mesh's coordinates")
+        ->check(in_range(1e-9, 1e9));
+    verb.add_option_function<std::string>(
+            "--units",
+            [this](const std::string& word) { frame.units = enum_named<LengthUnit>(word); },
+            "Length that 1 of the mesh's file is: mm, cm or m; the mesh comes out in metres")
+        ->check(one_of({enum_names<LengthUnit>.begin(), enum_names<LengthUnit>.end()}));
 }
 
 Mesh MeshOptions::load(const std::string& path) const {
@@ -219,7 +244,11 @@ Mesh MeshOptions::load(const std::string& path) const {
     Mesh mesh = is_sample_mesh(path) ? sample_mesh(path, read) : read_mesh(path, read);
     for (const std::string& sentence : sentences_of(mesh.notes))
         warn(fmt::format("{}: {}", path, sentence));
-    return mesh;
+    return framed(std::move(mesh), frame_transform(frame));
+}
+
+MeshPose MeshOptions::pose(const std::string& mesh, const std::string& pose) const {
+    return framed(load_pose(mesh, pose, read), frame_transform(frame));
 }
 
 void add_pose(CLI::App& verb, std::string& pose) {

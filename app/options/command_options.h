@@ -8,6 +8,7 @@
 
 #include "app/recipe/edit/images.h"
 #include "app/recipe/recipe.h"
+#include "app/surface/mesh_frame.h"
 #include "atlas/read/read_mesh.h"
 #include "procedural/batch/economy.h"
 
@@ -71,15 +72,20 @@ struct RecipeOptions {
 /// Error(usage) for anything else.
 Precision parse_precision(const std::string& text);
 
-/// The options --weld and --unshare-instances.
+/// The options --weld and --unshare-instances, and those of the file's axes and units.
 struct MeshOptions {
     ReadOptions read;
+    MeshFrame frame;
 
     void add(CLI::App& verb);
-    /// Reads the mesh file or sample ("sample:teapot") and prints the reader's notes on stderr.
-    /// Throws Error as read_mesh does, and usage for --unshare-instances of a mesh that is not
-    /// glTF.
+    /// Adds --up, --rotate, --scale and --units alone.
+    void add_frame(CLI::App& verb);
+    /// Reads the mesh file or sample ("sample:teapot"), turns and scales it by the frame, and
+    /// prints the reader's notes on stderr. Throws Error as read_mesh does, and usage for
+    /// --unshare-instances of a mesh that is not glTF.
     Mesh load(const std::string& path) const;
+    /// The pose of the mesh that load() gives (app/surface/sample_meshes.h), in its frame.
+    MeshPose pose(const std::string& mesh, const std::string& pose) const;
 };
 
 /// Adds --pose (app/surface/sample_meshes.h).
