@@ -19,6 +19,7 @@
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
+#include "app/options/metres.h"
 #include "app/pipeline/fill_texture.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
@@ -269,11 +270,15 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                   double reading, LaterBake later) const {
     const auto start = Clock::now();
-    for (const Recipe& recipe : *recipes_) check_lattice(recipe, pipeline.mesh());
     const std::string lost = numbers_in_no_picture(recipe(), plan_.packing);
     if (!holds_mesh(command_.out) && !lost.empty())
         warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
                          lost));
+    std::vector<Recipe> recipes = *recipes_;
+    set_metres(recipes, command_.recipe, command_.meshes.frame, pipeline.mesh());
+    for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
+    BakePlan plan = plan_;
+    plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
     std::optional<MeshPose> pose;
     if (!command_.pose.empty()) pose = command_.meshes.pose(command_.mesh, command_.pose);
     pipeline.set_threads(command_.threads);
@@ -282,20 +287,21 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     pipeline.set_synthesizer(synthesizer);
     pipeline.set_skips(command_.economy.skips());
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
-    const BakeResult result = bake(pipeline, plan_, pose ? &*pose : nullptr, later);
+    const BakeResult result = bake(pipeline, plan, pose ? &*pose : nullptr, later);
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
     seconds["write"] = result.writing;
     seconds["total"] = reading + seconds_since(start);
-    Json report = report_of(pipeline, result, synthesizer.get(), std::move(seconds));
+    Json report =
+        report_of(pipeline, recipes.front(), result, synthesizer.get(), std::move(seconds));
     write_record(command_.out, made_from_, result.committed, report);
     return report;
 }
 
 /// The report of a bake, as `burl bake --report` writes it.
-Json BakeJob::report_of(Pipeline& pipeline, const BakeResult& result,
+Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
-    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe(), pipeline, result,
+    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe, pipeline, result,
                             std::move(seconds));
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)

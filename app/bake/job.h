@@ -54,7 +54,7 @@ class BakeJob {
     void print(const Json& report) const;
 
   private:
-    Json report_of(Pipeline& pipeline, const BakeResult& result,
+    Json report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                    const TextureSynthesizer* synthesizer, Json seconds) const;
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;

@@ -74,6 +74,9 @@ class DirectPicture {
     /// Sets the view of the following pictures, at first that of --view.
     void look(const View& view) { camera_ = orbit_camera(view, sphere_, picture_.size); }
 
+    /// The mesh at rest, in its frame; empty where there are planes alone.
+    const Mesh& mesh() const { return mesh_; }
+
     /// Draws a picture. `recipes` are those of picture_recipes(), or the main one alone where no
     /// plane names any. Throws Error(unsupported) as check_lattice does, and for bumps of a mesh in
     /// a pose.

@@ -16,6 +16,7 @@
 #include "app/image/sheet.h"
 #include "app/measure/report.h"
 #include "app/options/idle_options.h"
+#include "app/options/metres.h"
 #include "app/pipeline/material.h"
 #include "app/recipe/lattice_check.h"
 #include "app/recipe/presets.h"
@@ -168,6 +169,7 @@ std::vector<Recipe> lazy_recipes(const RenderCommand& command, const DirectOptio
                                  const Mesh& mesh) {
     const std::vector<std::string>& moves = command.animation.keys;
     std::vector<Recipe> frames = frame_recipes(options.recipe, command.animation);
+    set_metres(frames, options.recipe, options.meshes.frame, mesh);
     check_edits(options.recipe, frames.front(), moves);
     check_rule(command, frames.front());
     if (options.pose.empty()) refuse_edits(options.recipe, {&idle_pose, 1}, moves);
@@ -247,6 +249,10 @@ RenderedFrames direct_frames(const RenderCommand& command, CommandFiles& files) 
     const auto direct = std::make_shared<DirectFrames>(
         DirectFrames{DirectPicture(command.options), command.options.picture_options(),
                      command.frame_views(), std::move(cells)});
+    for (std::size_t i = 0; i < direct->cells.size(); ++i)
+        for (PictureRecipes& recipes : direct->cells[i])
+            set_metres({&recipes.main, 1}, command.cell(i).recipe, command.options.meshes.frame,
+                       direct->picture.mesh());
     result.draw = [direct](std::size_t frame, std::size_t cell) {
         return direct->draw(frame, cell);
     };

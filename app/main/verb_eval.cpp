@@ -18,6 +18,7 @@
 #include "app/measure/report.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
+#include "app/options/metres.h"
 #include "app/recipe/channel_texture.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/masks.h"
@@ -163,6 +164,7 @@ void run_eval(const EvalCommand& command, bool recipe_given) {
         check_edits(command.recipe, *recipe);
         recipe = of_channel(std::move(*recipe), command.channel);
         mesh = mesh_for(command, *recipe);
+        if (mesh) set_metres({&*recipe, 1}, command.recipe, command.meshes.frame, *mesh);
     }
     const std::optional<std::string>& asked = command.recipe.precision;
     const Precision precision = recipe  ? recipe->precision

@@ -89,6 +89,22 @@ Error with_option(const Error& error, const std::vector<RecipeEdit>& edits) {
     return error;
 }
 
+/// Parses the angles X,Y,Z of --rotate, each within [-360, 360]. Throws Error(usage).
+Vec3d parse_turns(const std::string& text) {
+    Vec3d degrees(0.0);
+    const std::vector<std::string> words = CLI::detail::split(text, ',');
+    bool right = words.size() == 3;
+    for (int k = 0; right && k < 3; ++k)
+        right = CLI::detail::lexical_cast(words[std::size_t(k)], degrees[k]) &&
+                std::abs(degrees[k]) <= 360.0;
+    if (!right)
+        throw Error(ExitCode::usage,
+                    fmt::format("--rotate {}: write the degrees about x, y and z, each from -360 "
+                                "to 360, as 90,0,-45",
+                                text));
+    return degrees;
+}
+
 /// The word of --no-skip that stands for all skip_names.
 constexpr const char* all_skips = "all";
 
@@ -217,15 +233,9 @@ void MeshOptions::add_frame(CLI::App& verb) {
                     "-z, x, -x or -y; the mesh is turned so that it is y")
         ->check(one_of({up_axes.begin(), up_axes.end()}))
         ->capture_default_str();
-    verb.add_option_function<std::vector<double>>(
-            "--rotate",
-            [this](const std::vector<double>& degrees) {
-                frame.rotate = {degrees[0], degrees[1], degrees[2]};
-            },
-            "Turn the mesh, after --up, by these degrees about x, then y, then z: X,Y,Z")
-        ->delimiter(',')
-        ->expected(3)
-        ->check(in_range(-360.0, 360.0));
+    verb.add_option_function<std::string>(
+        "--rotate", [this](const std::string& text) { frame.rotate = parse_turns(text); },
+        "Turn the mesh, after --up, by these degrees about x, then y, then z: X,Y,Z");
     verb.add_option("--scale", frame.scale, "Factor of the mesh's coordinates")
         ->check(in_range(1e-9, 1e9));
     verb.add_option_function<std::string>(
