@@ -2,6 +2,7 @@
 // One bake from a mesh to its files: mesh -> connectivity -> atlas -> solid points -> field and
 // colour -> levels -> files. `burl bake`, `burl batch` and the editor's export are this function.
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -29,15 +30,17 @@ struct BakePlan {
     double crease_degrees = 40.0;      ///< crease angle of computed normals (app/surface/normals.h)
     LevelsAsked levels{};
     NormalSpace normals = NormalSpace::none;
-    bool normals_down = false;            ///< whether a normal map's green points down
-    Packing packing = Packing::gltf;      ///< which of a material's channels share a picture
-    bool displaces = false;               ///< whether the exported mesh is moved by the height
-    std::optional<double> compress{};     ///< the largest error of --compress (app/bake/texture.h)
-    std::string solid_map{};              ///< path of the solid map; empty: none
-    std::string shader{};                 ///< path of the texture as GLSL; empty: none
-    std::vector<std::string> channels{};  ///< masks written beside (app/pipeline/mask_picture.h)
-    bool measures = true;                 ///< whether the atlas is measured for a report
-    int threads = 0;                      ///< number of threads for the solid map; 0: all
+    bool normals_down = false;             ///< whether a normal map's green points down
+    Packing packing = Packing::gltf;       ///< which of a material's channels share a picture
+    bool displaces = false;                ///< whether the exported mesh is moved by the height
+    std::optional<double> compress{};      ///< the largest error of --compress (app/bake/texture.h)
+    std::string solid_map{};               ///< path of the solid map; empty: none
+    std::string shader{};                  ///< path of the texture as GLSL; empty: none
+    std::vector<std::string> channels{};   ///< masks written beside (app/pipeline/mask_picture.h)
+    bool measures = true;                  ///< whether the atlas is measured for a report
+    int threads = 0;                       ///< number of threads for the solid map; 0: all
+    std::shared_ptr<const KeptObj> obj{};  ///< the mesh's own OBJ, of which an .obj keeps the rest
+    bool vertex_colors = false;            ///< whether colours per point replace the texture
     /// Is told what comes next, and which share of the bake is done, 0 to 1; empty: nobody is.
     std::function<void(const char* next, double share)> reached{};
     /// A request by another thread to stop: bake() then throws Error(runtime) soon. Files of frames

@@ -25,6 +25,7 @@
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
 
 namespace burl {
 
@@ -164,6 +165,10 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
+    if (!command_.pose.empty() && !command_.meshes.materials.empty())
+        throw Error(ExitCode::usage,
+                    "--pose moves the whole mesh, and --material chooses some of it; leave one of "
+                    "the two out");
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_idle();
 }
@@ -278,6 +283,8 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     set_metres(recipes, command_.recipe, command_.meshes.frame, pipeline.mesh());
     for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
     BakePlan plan = plan_;
+    if (lower_extension(command_.out) == ".obj" && !command_.displace && !command_.vertex_colors)
+        plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
     plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
     std::optional<MeshPose> pose;
     if (!command_.pose.empty()) pose = command_.meshes.pose(command_.mesh, command_.pose);

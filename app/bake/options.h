@@ -36,6 +36,7 @@ struct BakeCommand {
     std::string gl_precision, gl_randomizer;  ///< words of multipass_synth; empty: its defaults
     bool gl_equalize = false;
     std::optional<double> compress;
+    bool vertex_colors = false;        ///< colours per point in place of the texture
     std::optional<int> displace;       ///< how often triangles are split before displacement
     bool json = false, quiet = false;  ///< print the JSON report, or nothing, on stdout
     bool force = false;                ///< bake even if the outputs are up to date

@@ -138,7 +138,7 @@ void RenderCommand::check(const std::vector<std::string>& names) const {
     if (!direct && !lazy) {
         given.refuse({"--recipe", "--recipes", "--set", "--time", "--precision", "--pose"},
                      "goes with --direct or --lazy: a scene that is drawn has its texture already");
-        given.refuse({"--crease", "--weld", "--unshare-instances"},
+        given.refuse({"--crease", "--weld", "--unshare-instances", "--material"},
                      "goes with --direct or --lazy: a scene is drawn as it is");
         given.refuse({"--scale", "--units"},
                      "goes with --direct or --lazy: the camera is as far from a scene as the scene "

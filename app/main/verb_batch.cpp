@@ -134,10 +134,11 @@ std::string mesh_key(const Bake& bake) {
     const BakeCommand& command = bake.job.command();
     const MeshFrame& frame = command.meshes.frame;
     const Vec3d& turn = frame.rotate;
-    return fmt::format("{} {} {} {} {},{},{} {} {} {}", command.meshes.read.weld,
+    return fmt::format("{} {} {} {} {},{},{} {} {} {} {}", command.meshes.read.weld,
                        command.meshes.read.unshare_instances, command.displace.value_or(0),
                        frame.up, turn.x, turn.y, turn.z, frame.scale,
-                       frame.units ? to_string(*frame.units) : "", real_path(command.mesh));
+                       frame.units ? to_string(*frame.units) : "",
+                       fmt::join(command.meshes.materials, "\n"), real_path(command.mesh));
 }
 
 using Group = std::vector<Bake*>;

@@ -17,6 +17,8 @@
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"
+#include "atlas/mesh/choose_faces.h"
+#include "atlas/read/obj_source.h"
 
 namespace burl {
 
@@ -103,6 +105,22 @@ Vec3d parse_turns(const std::string& text) {
                                 "to 360, as 90,0,-45",
                                 text));
     return degrees;
+}
+
+/// The faces of the mesh whose material one of the patterns fits. Throws Error(usage) where one
+/// fits none, and for a mesh that is not an OBJ.
+Mesh of_materials(const std::string& path, const Mesh& mesh,
+                  const std::vector<std::string>& patterns) {
+    if (!is_sample_mesh(path) && lower_extension(path) != ".obj")
+        throw Error(
+            ExitCode::usage,
+            fmt::format("--material chooses by the usemtl of an OBJ, and {} is none", path));
+    const ObjSource source = read_obj_source(mesh_bytes(path));
+    const std::vector<char> chosen = faces_of_materials(source, patterns);
+    if (mesh.triangles.empty() || mesh.source_faces.back() >= chosen.size())
+        throw Error(ExitCode::runtime,
+                    fmt::format("{}: the file has changed while it was used; try again", path));
+    return with_faces(mesh, chosen);
 }
 
 /// The word of --no-skip that stands for all skip_names.
@@ -224,6 +242,11 @@ void MeshOptions::add(CLI::App& verb) {
         ->check(in_range(0.0, 0.1));
     verb.add_flag("--unshare-instances", read.unshare_instances,
                   "Bake each glTF instance by itself, in scene space");
+    verb.add_option("--material", materials,
+                    "Faces of an OBJ to texture, by the names of their materials (usemtl), with * "
+                    "and ?; may be repeated; left out: all")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_frame(verb);
 }
 
@@ -252,6 +275,7 @@ Mesh MeshOptions::load(const std::string& path) const {
                                 "out",
                                 path));
     Mesh mesh = is_sample_mesh(path) ? sample_mesh(path, read) : read_mesh(path, read);
+    if (!materials.empty()) mesh = of_materials(path, mesh, materials);
     for (const std::string& sentence : sentences_of(mesh.notes))
         warn(fmt::format("{}: {}", path, sentence));
     return framed(std::move(mesh), frame_transform(frame));

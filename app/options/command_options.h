@@ -76,13 +76,16 @@ Precision parse_precision(const std::string& text);
 struct MeshOptions {
     ReadOptions read;
     MeshFrame frame;
+    /// Patterns of names (atlas/base/glob.h); empty: the whole mesh.
+    std::vector<std::string> materials{};
 
     void add(CLI::App& verb);
     /// Adds --up, --rotate, --scale and --units alone.
     void add_frame(CLI::App& verb);
     /// Reads the mesh file or sample ("sample:teapot"), turns and scales it by the frame, and
     /// prints the reader's notes on stderr. Throws Error as read_mesh does, and usage for
-    /// --unshare-instances of a mesh that is not glTF.
+    /// --unshare-instances of a mesh that is not glTF, and for a pattern of --material that fits no
+    /// material of the file.
     Mesh load(const std::string& path) const;
     /// The pose of the mesh that load() gives (app/surface/sample_meshes.h), in its frame.
     MeshPose pose(const std::string& mesh, const std::string& pose) const;

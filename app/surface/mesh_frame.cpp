@@ -5,14 +5,12 @@
 #include <fmt/format.h>
 
 #include "atlas/base/error.h"
+#include "atlas/file/text_scanner.h"
 #include "procedural/numbers/rotation.h"
 
 namespace burl {
 
 namespace {
-
-/// The largest coordinate of a mesh, as readers have it.
-constexpr double largest_coordinate = 1e100;
 
 /// The map whose rows say which coordinates become x, y and z.
 Mat4d rows(const Vec3d& x, const Vec3d& y, const Vec3d& z) {
