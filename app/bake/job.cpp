@@ -19,11 +19,13 @@
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
+#include "app/options/metres.h"
 #include "app/pipeline/fill_texture.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
 
 namespace burl {
 
@@ -171,6 +173,11 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
+    if (!command_.pose.empty() && !command_.meshes.read.choice.any())
+        throw Error(
+            ExitCode::usage,
+            "--pose moves the whole mesh, and a choice of its parts some of it; leave one of "
+            "the two out");
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_idle();
 }
@@ -280,10 +287,11 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
 
 BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                               const std::shared_ptr<KeptScene>& kept, LaterBake later) const {
-    for (const Recipe& recipe : *recipes_) check_lattice(recipe, pipeline.mesh());
+    std::vector<Recipe> recipes = *recipes_;
+    set_metres(recipes, command_.recipe, command_.meshes.frame, pipeline.mesh());
+    for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
     std::optional<MeshPose> pose;
-    if (!command_.pose.empty())
-        pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
+    if (!command_.pose.empty()) pose = command_.meshes.pose(command_.mesh, command_.pose);
     pipeline.set_threads(command_.threads);
     pipeline.set_kernel(kernel_named(command_.kernel));
     pipeline.set_forward(command_.kernel == forward_kernel);
@@ -291,8 +299,13 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     pipeline.set_skips(command_.economy.skips());
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
     BakePlan plan = plan_;
+    plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
+    if (lower_extension(command_.out) == ".obj" && !command_.displace && !command_.vertex_colors)
+        plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
     plan.kept = kept;
-    if (kept) prepare(*kept, command_.mesh, command_.meshes.read, pictures_);
+    if (kept)
+        prepare(*kept, command_.mesh, command_.meshes.read, pictures_,
+                frame_transform(command_.meshes.frame));
     return bake(pipeline, plan, pose ? &*pose : nullptr, later);
 }
 
@@ -314,7 +327,8 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     bake_others(kept, result, others);
     seconds["write"] = result.writing;
     seconds["total"] = reading + seconds_since(start);
-    Json report = report_of(pipeline, result, synthesizer.get(), std::move(seconds));
+    Json report =
+        report_of(pipeline, pipeline.recipe(), result, synthesizer.get(), std::move(seconds));
     if (!others.empty()) report["others"] = std::move(others);
     if (!result.lost.empty()) {
         report["lost"] = result.lost;
@@ -325,9 +339,9 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 }
 
 /// The report of a bake, as `burl bake --report` writes it.
-Json BakeJob::report_of(Pipeline& pipeline, const BakeResult& result,
+Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
-    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe(), pipeline, result,
+    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe, pipeline, result,
                             std::move(seconds));
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)

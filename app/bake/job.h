@@ -65,7 +65,7 @@ class BakeJob {
     std::vector<std::string> losses_before() const;
     std::vector<std::string> paths_of(const std::string& out, std::uint32_t levels) const;
     std::vector<std::string> document_outputs(std::uint32_t levels) const;
-    Json report_of(Pipeline& pipeline, const BakeResult& result,
+    Json report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                    const TextureSynthesizer* synthesizer, Json seconds) const;
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;

@@ -57,7 +57,8 @@ void BakeJob::bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& re
         const auto synthesizer = other.synthesizer();
         const BakeResult one = other.bake_into(pipeline, synthesizer, kept, LaterBake::none);
         Json seconds = {{"read", reading}, {"total", seconds_since(start)}};
-        reports.push_back(other.report_of(pipeline, one, synthesizer.get(), std::move(seconds)));
+        reports.push_back(other.report_of(pipeline, pipeline.recipe(), one, synthesizer.get(),
+                                          std::move(seconds)));
         result.committed.insert(result.committed.end(), one.committed.begin(), one.committed.end());
         result.lost = one.lost;
     }

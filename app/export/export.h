@@ -1,6 +1,8 @@
 #pragma once
 // The output of results: a baked image with or without its mesh, in the format of the file name.
 // Formats, samplers and the attributes kept of the input: docs/reference/export.md.
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,6 +12,7 @@
 #include "app/image/convert_image.h"
 #include "app/recipe/material.h"
 #include "atlas/mesh/mesh.h"
+#include "atlas/read/obj_source.h"
 #include "atlas/read/pose.h"
 #include "atlas/solid/atlas.h"
 
@@ -43,6 +46,18 @@ struct ExportPose {
     double weight = 1.0;  ///< the pose's share, 0..1
 };
 
+/// An OBJ of which a scene's .obj keeps what is not changed.
+struct KeptObj {
+    ObjSource source{};
+    Mat4d frame{1.0};                     ///< the map from its coordinates to the mesh's
+    std::vector<std::uint32_t> points{};  ///< points_of_corners()
+};
+
+/// The OBJ, a file or a sample, that the mesh was read from and moved by `frame`; null where the
+/// path is no OBJ's. Throws Error as read_mesh does, and runtime where the file has changed since.
+std::shared_ptr<const KeptObj> kept_obj(const std::string& path, const Mesh& mesh,
+                                        const Mat4d& frame);
+
 struct ExportOptions {
     /// The crease angle of computed normals (app/surface/normals.h).
     double crease_degrees = 40.0;
@@ -56,6 +71,14 @@ struct ExportOptions {
     /// The pose becomes a morph target in .glb and .gltf; .obj is written as posed. Images are
     /// those of the mesh at rest.
     std::optional<ExportPose> pose{};
+    /// The OBJ that the mesh was read from, of which an .obj keeps all that is not changed; null:
+    /// an .obj has the mesh's triangles alone.
+    std::shared_ptr<const KeptObj> obj{};
+    /// Per point of the mesh a colour in linear light, which the scene has in place of textures and
+    /// texture coordinates; the atlas and the image are empty then. Or empty.
+    std::vector<Vec4f> vertex_colors{};
+    /// Is told what the format cannot hold or had to be changed; empty: nobody is.
+    std::function<void(const std::string&)> tell{};
 };
 
 /// All files that scene_files writes, `out_path` first: "a.obj" gives a.obj, a.mtl and a.png, and

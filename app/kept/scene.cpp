@@ -66,6 +66,20 @@ void add_counts(const Json& document, std::vector<std::string>& losses) {
         losses.push_back(fmt::format("extras of {} objects", count));
 }
 
+/// Puts the roots of all scenes under a new node each, with the transform.
+void add_root(Json& document, const Mat4d& frame) {
+    if (!document.contains("scenes")) return;
+    for (Json& scene : document["scenes"]) {
+        if (!scene.contains("nodes") || scene["nodes"].empty()) continue;
+        Json node{{"name", "axes and units"}, {"matrix", Json::array()}};
+        for (int c = 0; c < 4; ++c)
+            for (int r = 0; r < 4; ++r) node["matrix"].push_back(frame[c][r]);
+        node["children"] = scene["nodes"];
+        document["nodes"].push_back(std::move(node));
+        scene["nodes"] = Json::array({document["nodes"].size() - 1});
+    }
+}
+
 }  // namespace
 
 bool keeps_document(const std::string& mesh_path, const std::string& out_path) {
@@ -78,8 +92,10 @@ std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path) {
 }
 
 void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& options,
-             const std::string& pictures) {
+             const std::string& pictures, const Mat4d& frame) {
     scene.origins = read_gltf_origins(read_file(mesh_path), options);
+    scene.frame = frame;
+    for (GltfPartOrigin& part : scene.origins.parts) part.to_scene = frame * part.to_scene;
     scene.pictures = lower_extension(pictures) == ".glb" ? "" : pictures;
 }
 
@@ -90,6 +106,7 @@ std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content
         carve(document, {scene.origins, corners, content, scene.uv_set, scene.pictures}),
         std::back_inserter(scene.pending));
     if (!scene.is_last) return {};
+    if (scene.frame != Mat4d(1.0)) add_root(document.json, scene.frame);
     std::vector<AtomicFile> files = write_kept(document, content.path);
     if (scene.is_strict && !document.losses.empty())
         throw Error(ExitCode::unsupported, fmt::format("{}: --strict: {}", content.path,
