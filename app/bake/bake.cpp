@@ -73,6 +73,7 @@ ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const Mes
     if (pose)
         options.pose = ExportPose{atlas_pose(*pose, pipeline.mesh(), pipeline.mesh_atlas()),
                                   pipeline.recipe().pose.weight};
+    options.pose_keys = plan.pose_keys;
     return options;
 }
 

@@ -285,6 +285,13 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
     return made_from;
 }
 
+/// The recipe's keys of the pose's weight.
+KeyTrack BakeJob::pose_keys() const {
+    for (const KeyTrack& track : command_.recipe.load_keyed().animation.tracks)
+        if (track.path == "pose.weight") return track;
+    return {};
+}
+
 BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                               const std::shared_ptr<KeptScene>& kept, LaterBake later) const {
     std::vector<Recipe> recipes = *recipes_;
@@ -303,6 +310,7 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     if (lower_extension(command_.out) == ".obj" && !command_.displace && !command_.vertex_colors)
         plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
     plan.kept = kept;
+    if (pose) plan.pose_keys = pose_keys();
     if (kept)
         prepare(*kept, command_.mesh, command_.meshes.read, pictures_,
                 frame_transform(command_.meshes.frame));

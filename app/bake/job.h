@@ -62,6 +62,7 @@ class BakeJob {
     void bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& result,
                      Json& reports) const;
     bool kept_document() const;
+    KeyTrack pose_keys() const;
     std::vector<std::string> losses_before() const;
     std::vector<std::string> paths_of(const std::string& out, std::uint32_t levels) const;
     std::vector<std::string> document_outputs(std::uint32_t levels) const;

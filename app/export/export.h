@@ -11,6 +11,7 @@
 #include "app/base/atomic_file.h"
 #include "app/image/convert_image.h"
 #include "app/recipe/material.h"
+#include "app/recipe/recipe.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/read/obj_source.h"
 #include "atlas/read/pose.h"
@@ -71,6 +72,7 @@ struct ExportOptions {
     /// The pose becomes a morph target in .glb and .gltf; .obj is written as posed. Images are
     /// those of the mesh at rest.
     std::optional<ExportPose> pose{};
+    KeyTrack pose_keys{};  ///< the pose's weight over time; without keys it stays
     /// The OBJ that the mesh was read from, of which an .obj keeps all that is not changed; null:
     /// an .obj has the mesh's triangles alone.
     std::shared_ptr<const KeptObj> obj{};
