@@ -10,6 +10,7 @@
 
 #include "app/bake/report.h"
 #include "app/bake/up_to_date.h"
+#include "app/bake/vertex_colors.h"
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
 #include "app/base/sha256.h"
@@ -80,12 +81,14 @@ BakePlan plan_of(const BakeCommand& command,
     plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
     plan.displaces = command.displace.has_value();
     const std::string& normals =
-        plan.displaces && command.normals.empty() ? "none" : command.normals;
+        (plan.displaces || command.vertex_colors) && command.normals.empty() ? "none"
+                                                                             : command.normals;
     plan.normals = normals_asked(normals, first, command.out);
     plan.normals_down = command.normal_y == "-";
     plan.packing = packing_asked(command.packing, command.out);
     plan.compress = command.compress;
     plan.channels = command.channels;
+    plan.vertex_colors = command.vertex_colors;
     plan.solid_map = command.solid_map;
     plan.shader = command.emitted_glsl;
     plan.threads = command.threads;
@@ -124,7 +127,9 @@ BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
 
 std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     std::vector<std::string> outputs;
-    for (const std::string& path : plan_.paths)
+    if (command_.vertex_colors) outputs = paths_without_texture(command_.out);
+    for (const std::string& path :
+         command_.vertex_colors ? std::vector<std::string>() : plan_.paths)
         std::ranges::move(
             output_paths(path, levels, has_normals(), picture_names(recipe(), plan_.material()),
                          plan_.material().rough_levels()),
@@ -165,6 +170,7 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
+    check_vertex_colors();
     if (!command_.pose.empty() && !command_.meshes.materials.empty())
         throw Error(ExitCode::usage,
                     "--pose moves the whole mesh, and --material chooses some of it; leave one of "
@@ -196,6 +202,18 @@ void BakeJob::check_displacement() const {
     if (has_normals())
         refuse("the normal map would show the same height once more; leave --normals out");
     if (!command_.pose.empty()) refuse("a pose has points of its own; leave one of the two out");
+}
+
+/// Throws Error(usage) where --vertex-colors has no place, or makes another option idle.
+void BakeJob::check_vertex_colors() const {
+    if (!command_.vertex_colors) return;
+    if (!holds_colors(command_.out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
+                                "with colours",
+                                command_.out));
+    constexpr IdleKey no_atlas{"atlas", "--vertex-colors writes no texture"};
+    refuse_edits(command_.recipe, {&no_atlas, 1});
 }
 
 /// Throws Error(usage) if an option would have no effect.
@@ -283,7 +301,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     set_metres(recipes, command_.recipe, command_.meshes.frame, pipeline.mesh());
     for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
     BakePlan plan = plan_;
-    if (lower_extension(command_.out) == ".obj" && !command_.displace && !command_.vertex_colors)
+    if (lower_extension(command_.out) == ".obj" && !command_.displace)
         plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
     plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
     std::optional<MeshPose> pose;
@@ -294,7 +312,9 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     pipeline.set_synthesizer(synthesizer);
     pipeline.set_skips(command_.economy.skips());
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
-    const BakeResult result = bake(pipeline, plan, pose ? &*pose : nullptr, later);
+    const MeshPose* const posed = pose ? &*pose : nullptr;
+    const BakeResult result = plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
+                                                 : bake(pipeline, plan, posed, later);
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
     seconds["write"] = result.writing;
@@ -308,6 +328,8 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 /// The report of a bake, as `burl bake --report` writes it.
 Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
+    if (plan_.vertex_colors)
+        return vertex_colors_json(command_.mesh, outputs(0), recipe, pipeline, std::move(seconds));
     Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe, pipeline, result,
                             std::move(seconds));
     if (synthesizer) report["synthesis"] = synthesizer->report();

@@ -2,6 +2,8 @@
 // is left out.
 #include "app/export/gltf_material.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "procedural/color/srgb.h"
@@ -36,6 +38,10 @@ Json extensions(const Material& m) {
     return json;
 }
 
+bool are_opaque(const std::vector<Vec4f>& colors) {
+    return std::ranges::all_of(colors, [](const Vec4f& color) { return color.a >= 1.0f; });
+}
+
 /// The material, double-sided: a solid texture is the same on both sides, and open sheets and
 /// meshes with inconsistent winding look whole.
 Json material(const SceneContent& content) {
@@ -46,9 +52,11 @@ Json material(const SceneContent& content) {
                 {"metallicFactor", m.metallic},
                 {"roughnessFactor", m.roughness}}},
               {"doubleSided", true}};
+    if (!content.options.vertex_colors.empty())
+        json["pbrMetallicRoughness"].erase("baseColorTexture");
     if (content.options.normals) json["normalTexture"] = {{"index", 1}};
     if (m.emissive != Rgb8{}) json["emissiveFactor"] = light(m.emissive);
-    if (has_alpha(content.image)) {
+    if (has_alpha(content.image) || !are_opaque(content.options.vertex_colors)) {
         const bool mask = m.alpha == AlphaMode::mask;
         json["alphaMode"] = mask ? "MASK" : "BLEND";
         if (mask) json["alphaCutoff"] = m.alpha_cutoff;
@@ -85,7 +93,7 @@ void add_material(Json& document, const SceneContent& content) {
         for (const auto& item : one["extensions"].items())
             document["extensionsUsed"].push_back(item.key());
     document["materials"] = Json::array({std::move(one)});
-    document["textures"] = textures(content);
+    if (content.options.vertex_colors.empty()) document["textures"] = textures(content);
 }
 
 }  // namespace burl

@@ -9,10 +9,10 @@ namespace burl {
 /// Vertices that differ in point, texture coordinate or normal, by first use, and the triangles of
 /// all placements. Each list but that of triangles has an entry per vertex or none at all.
 struct PlacedTriangles {
-    std::vector<Vec3d> points;      ///< in the pose, if there is one
-    std::vector<Vec3f> normals;     ///< unit length
-    std::vector<Vec2d> uvs;         ///< v = 1 at image row 0; empty without an atlas
-    std::vector<Vec4f> colors;      ///< ExportOptions::vertex_colors
+    std::vector<Vec3d> points;   ///< in the pose, if there is one
+    std::vector<Vec3f> normals;  ///< unit length
+    std::vector<Vec2d> uvs;      ///< v = 1 at image row 0; empty without an atlas
+    std::vector<Vec4f> colors;   ///< ExportOptions::vertex_colors
     std::vector<Triangle> triangles;
 };
 

@@ -1,13 +1,15 @@
 // PLY output, binary and little endian: what Blender, MeshLab and this program read. A vertex is
 // what agrees in point, texture coordinate and normal. Texture coordinates are there twice, as
 // Blender reads them (s and t of vertices) and as MeshLab does (a list per face).
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
-#include <type_traits>
 
 #include <fmt/format.h>
 
-#include "app/base/unique_rows.h"
 #include "app/export/formats.h"
 #include "app/export/placed_triangles.h"
 #include "procedural/color/srgb.h"
@@ -36,8 +38,11 @@ bool are_floats(std::span<const Vec3d> points) {
 
 /// A color as codes of sRGB, as Blender and MeshLab take colours of PLY to be.
 std::array<std::uint8_t, 4> codes_of(const Vec4f& color) {
-    const Rgb8 rgb = encoded(Vec3d(color));
-    return {rgb.r, rgb.g, rgb.b, std::uint8_t(std::lround(255.0 * glm::clamp(color.a, 0.0f, 1.0f)))};
+    const auto code = [](double value) {
+        return std::uint8_t(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
+    };
+    return {code(srgb_encode(color.r)), code(srgb_encode(color.g)), code(srgb_encode(color.b)),
+            code(color.a)};
 }
 
 std::string header(const SceneContent& content, const PlacedTriangles& what, bool floats,
@@ -46,10 +51,9 @@ std::string header(const SceneContent& content, const PlacedTriangles& what, boo
     const char* const real = floats ? "float" : "double";
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment Burl " BURL_VERSION "\n";
     if (textured)
-        text += fmt::format("comment TextureFile {}\n", std::filesystem::path(content.path)
-                                                            .replace_extension(".png")
-                                                            .filename()
-                                                            .string());
+        text += fmt::format(
+            "comment TextureFile {}\n",
+            std::filesystem::path(content.path).replace_extension(".png").filename().string());
     text += fmt::format("element vertex {}\n", what.points.size());
     for (const char axis : {'x', 'y', 'z'}) text += fmt::format("property {} {}\n", real, axis);
     for (const char axis : {'x', 'y', 'z'}) text += fmt::format("property float n{}\n", axis);
@@ -97,6 +101,8 @@ std::vector<AtomicFile> write_ply(const SceneContent& content) {
     LittleEndian out{header(content, what, floats, what.triangles.size())};
     for (std::size_t i = 0; i < what.points.size(); ++i) add_vertex(out, what, i, floats);
     for (const Triangle& triangle : what.triangles) add_face(out, what, triangle);
+    if (content.options.tell && (content.options.normals || !content.options.pictures.empty()))
+        content.options.tell("a .ply names the picture of the base colour alone");
     std::vector<AtomicFile> files;
     add_images(files, content,
                std::filesystem::path(content.path).replace_extension(".png").string());
