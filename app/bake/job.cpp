@@ -212,8 +212,12 @@ void BakeJob::check_vertex_colors() const {
                     fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
                                 "with colours",
                                 command_.out));
-    constexpr IdleKey no_atlas{"atlas", "--vertex-colors writes no texture"};
-    refuse_edits(command_.recipe, {&no_atlas, 1});
+    for (const RecipeEdit& edit : command_.recipe.edits())
+        if (edit.path.starts_with("atlas."))
+            throw Error(ExitCode::usage,
+                        fmt::format("{} does nothing: --vertex-colors writes no texture; leave one "
+                                    "of the two out",
+                                    edit.said));
 }
 
 /// Throws Error(usage) if an option would have no effect.
