@@ -10,6 +10,7 @@
 
 #include "app/bake/report.h"
 #include "app/bake/up_to_date.h"
+#include "app/bake/vertex_colors.h"
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
 #include "app/base/sha256.h"
@@ -80,12 +81,14 @@ BakePlan plan_of(const BakeCommand& command,
     plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
     plan.displaces = command.displace.has_value();
     const std::string& normals =
-        plan.displaces && command.normals.empty() ? "none" : command.normals;
+        (plan.displaces || command.vertex_colors) && command.normals.empty() ? "none"
+                                                                             : command.normals;
     plan.normals = normals_asked(normals, first, command.out);
     plan.normals_down = command.normal_y == "-";
     plan.packing = packing_asked(command.packing, command.out);
     plan.compress = command.compress;
     plan.channels = command.channels;
+    plan.vertex_colors = command.vertex_colors;
     plan.solid_map = command.solid_map;
     plan.shader = command.emitted_glsl;
     plan.threads = command.threads;
@@ -132,7 +135,9 @@ BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
 
 std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     std::vector<std::string> outputs;
-    if (pictures_ != command_.out)
+    if (command_.vertex_colors)
+        outputs = paths_without_texture(command_.out);
+    else if (pictures_ != command_.out)
         outputs = document_outputs(levels);
     else
         for (const std::string& path : plan_.paths)
@@ -173,7 +178,8 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
-    if (!command_.pose.empty() && !command_.meshes.read.choice.any())
+    check_vertex_colors();
+    if (!command_.pose.empty() && command_.meshes.read.choice.any())
         throw Error(
             ExitCode::usage,
             "--pose moves the whole mesh, and a choice of its parts some of it; leave one of "
@@ -205,6 +211,22 @@ void BakeJob::check_displacement() const {
     if (has_normals())
         refuse("the normal map would show the same height once more; leave --normals out");
     if (!command_.pose.empty()) refuse("a pose has points of its own; leave one of the two out");
+}
+
+/// Throws Error(usage) where --vertex-colors has no place, or makes another option idle.
+void BakeJob::check_vertex_colors() const {
+    if (!command_.vertex_colors) return;
+    if (!holds_colors(command_.out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
+                                "with colours",
+                                command_.out));
+    for (const RecipeEdit& edit : command_.recipe.edits())
+        if (edit.path.starts_with("atlas."))
+            throw Error(ExitCode::usage,
+                        fmt::format("{} does nothing: --vertex-colors writes no texture; leave one "
+                                    "of the two out",
+                                    edit.said));
 }
 
 /// Throws Error(usage) if an option would have no effect.
@@ -307,14 +329,16 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
     BakePlan plan = plan_;
     plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
-    if (lower_extension(command_.out) == ".obj" && !command_.displace && !command_.vertex_colors)
+    if (lower_extension(command_.out) == ".obj" && !command_.displace)
         plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
     plan.kept = kept;
     if (pose) plan.pose_keys = pose_keys();
     if (kept)
         prepare(*kept, command_.mesh, command_.meshes.read, pictures_,
                 frame_transform(command_.meshes.frame));
-    return bake(pipeline, plan, pose ? &*pose : nullptr, later);
+    const MeshPose* const posed = pose ? &*pose : nullptr;
+    return plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
+                              : bake(pipeline, plan, posed, later);
 }
 
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
@@ -349,6 +373,8 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 /// The report of a bake, as `burl bake --report` writes it.
 Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
+    if (plan_.vertex_colors)
+        return vertex_colors_json(command_.mesh, outputs(0), recipe, pipeline, std::move(seconds));
     Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe, pipeline, result,
                             std::move(seconds));
     if (synthesizer) report["synthesis"] = synthesizer->report();

@@ -34,7 +34,8 @@ std::vector<std::string> BakeJob::document_outputs(std::uint32_t levels) const {
 
 /// Whether the mesh goes back into the document that it was read from.
 bool BakeJob::kept_document() const {
-    return command_.pose.empty() && !plan_.displaces && keeps_document(command_.mesh, command_.out);
+    return command_.pose.empty() && !plan_.displaces && !plan_.vertex_colors &&
+           keeps_document(command_.mesh, command_.out);
 }
 
 /// The document that the bake goes back to; null where the output is a scene of its own.

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Format { glb, gltf, obj, png, exr };
+enum class Format { glb, gltf, obj, ply, stl, png, exr };
 
 struct FormatFiles {
     Format format;
@@ -24,9 +24,11 @@ struct FormatFiles {
     std::array<const char*, 2> beside;  // extensions of further files, or null
 };
 
-constexpr std::array<FormatFiles, 5> formats{{{Format::glb, ".glb", {}},
+constexpr std::array<FormatFiles, 7> formats{{{Format::glb, ".glb", {}},
                                               {Format::gltf, ".gltf", {".bin", ".png"}},
                                               {Format::obj, ".obj", {".mtl", ".png"}},
+                                              {Format::ply, ".ply", {".png"}},
+                                              {Format::stl, ".stl", {}},
                                               {Format::png, ".png", {}},
                                               {Format::exr, ".exr", {}}}};
 
@@ -39,7 +41,8 @@ const FormatFiles& format_of(const std::string& path) {
                                  ? "has no extension"
                                  : fmt::format("has the unknown extension '{}'", extension);
     throw Error(ExitCode::usage,
-                fmt::format("{}: the output {}; use .glb, .gltf, .obj, .png or .exr", path, what));
+                fmt::format("{}: the output {}; use .glb, .gltf, .obj, .ply, .stl, .png or .exr",
+                            path, what));
 }
 
 /// The image, which the .exr holds as it is: 16384 x 16384 floats are 3 GB.
@@ -101,6 +104,7 @@ std::vector<std::vector<SceneImage>> scene_textures(const SceneContent& content,
                                                     const std::string& color) {
     const std::string name = material_name(content);
     const ExportOptions& options = content.options;
+    if (!options.vertex_colors.empty()) return {};
     std::vector<std::vector<SceneImage>> textures{
         texture_of(name, color, content.image, options.levels, PngContent::color)};
     if (const auto& normals = options.normals)
@@ -129,6 +133,7 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
         paths.push_back(fs::path(out_path).replace_extension(extension).string());
     }
     const Format format = format_of(out_path).format;
+    if (format == Format::stl) return paths;
     if (format == Format::glb || format == Format::exr) levels = 0;
     const auto add_levels = [&](const std::string path) {
         for (std::uint32_t l = 1; l <= levels; ++l)
@@ -148,6 +153,14 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
     return paths;
 }
 
+std::vector<std::string> paths_without_texture(const std::string& out_path) {
+    std::vector<std::string> paths = output_paths(out_path);
+    std::erase_if(paths, [&](const std::string& path) {
+        return path != out_path && lower_extension(path) == ".png";
+    });
+    return paths;
+}
+
 bool holds_mesh(const std::string& out_path) {
     const Format format = format_of(out_path).format;
     return format != Format::png && format != Format::exr;
@@ -156,6 +169,10 @@ bool holds_mesh(const std::string& out_path) {
 bool is_gltf(const std::string& out_path) {
     const Format format = format_of(out_path).format;
     return format == Format::glb || format == Format::gltf;
+}
+
+bool holds_colors(const std::string& out_path) {
+    return holds_mesh(out_path) && format_of(out_path).format != Format::stl;
 }
 
 ImageKind wanted_kind(const std::string& out_path, int depth) {
@@ -170,8 +187,11 @@ std::vector<AtomicFile> scene_files(const std::string& out_path, const Mesh& mes
     const Format format = format_of(out_path).format;
     if (format == Format::gltf) return write_gltf(content);
     if (format == Format::obj) return write_obj(content);
+    if (format == Format::ply) return write_ply(content);
     std::vector<AtomicFile> files;
-    if (format == Format::png) {
+    if (format == Format::stl) {
+        files.push_back(write_stl(content));
+    } else if (format == Format::png) {
         add_images(files, content, out_path);
     } else if (format == Format::exr) {
         if (const auto& normals = content.options.normals)

@@ -87,12 +87,15 @@ struct ExportOptions {
 /// with MIP levels a.1.png, a.2.png, ...; .glb and .exr contain their levels. Normals add
 /// a_normal.png and a picture "orm" a_orm.png, with levels of its own, except for .glb;
 /// `normal_levels` says whether the normals have levels, too. Throws
-/// Error(usage) unless the extension is one of .glb, .gltf, .obj, .png, .exr (any case), listing
-/// them.
+/// Error(usage) unless the extension is one of .glb, .gltf, .obj, .ply, .stl, .png, .exr (any
+/// case), listing them.
 std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels = 0,
                                       bool normals = false,
                                       const std::vector<std::string>& pictures = {},
                                       bool normal_levels = false);
+
+/// All files that scene_files writes of a scene with vertex colours.
+std::vector<std::string> paths_without_texture(const std::string& out_path);
 
 /// Whether the format is .glb or .gltf, whose materials take normal maps in tangent space only.
 /// Throws Error(usage) for an unknown extension.
@@ -101,6 +104,9 @@ bool is_gltf(const std::string& out_path);
 /// Whether the file contains the mesh with its texture, rather than the texture alone. Throws
 /// Error(usage) for an unknown extension.
 bool holds_mesh(const std::string& out_path);
+
+/// Whether the file contains the mesh with colours, as .stl does not.
+bool holds_colors(const std::string& out_path);
 
 /// The kind of images in the output: float for .exr, else 16 bits where `depth` is 16 and 8 bits
 /// otherwise.

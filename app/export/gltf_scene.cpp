@@ -93,14 +93,16 @@ std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indi
 
 /// The accessors of one part's arrays.
 struct PrimitiveIds {
-    std::size_t position, normal, uv, indices;
-    std::optional<std::size_t> block, tangent;
+    std::size_t position, normal, indices;
+    std::optional<std::size_t> uv, color, block, tangent;
     Json target{};  ///< the morph target's accessors; null: none
 };
 
 std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveIds& ids,
                      const std::optional<ExportPose>& pose) {
-    Json attributes{{"POSITION", ids.position}, {"NORMAL", ids.normal}, {"TEXCOORD_0", ids.uv}};
+    Json attributes{{"POSITION", ids.position}, {"NORMAL", ids.normal}};
+    if (ids.uv) attributes["TEXCOORD_0"] = *ids.uv;
+    if (ids.color) attributes["COLOR_0"] = *ids.color;
     if (ids.tangent) attributes["TANGENT"] = *ids.tangent;
     if (ids.block) attributes["_BURL_BLOCK"] = *ids.block;
     Json primitive{{"attributes", attributes}, {"indices", ids.indices}, {"material", 0}};
@@ -184,15 +186,21 @@ void add_animation(GltfScene& scene, const KeyTrack& track) {
 }
 
 PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
-    PrimitiveIds ids{
-        add_positions(scene, v.positions),
-        add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float, v.normals.size(),
-                     "VEC3"),
-        add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2"),
-        add_indices(scene, v.indices, v.positions.size()),
-        std::nullopt,
-        std::nullopt,
-        {}};
+    PrimitiveIds ids{add_positions(scene, v.positions),
+                     add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float,
+                                  v.normals.size(), "VEC3"),
+                     add_indices(scene, v.indices, v.positions.size()),
+                     std::nullopt,
+                     std::nullopt,
+                     std::nullopt,
+                     std::nullopt,
+                     {}};
+    if (!v.uvs.empty())
+        ids.uv =
+            add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2");
+    if (!v.colors.empty())
+        ids.color = add_accessor(scene, as_bytes(v.colors), gl_array_buffer, gl_float,
+                                 v.colors.size(), "VEC4");
     if (!v.tangents.empty())
         ids.tangent = add_accessor(scene, as_bytes(v.tangents), gl_array_buffer, gl_float,
                                    v.tangents.size(), "VEC4");
@@ -259,9 +267,11 @@ nlohmann::ordered_json gltf_sampler(const AtlasOptions& atlas) {
 nlohmann::ordered_json burl_extras(const SceneContent& content) {
     const AtlasOptions& atlas = content.atlas.options;
     const std::string& recipe = content.options.recipe_json;
-    Json burl{{"atlas", to_string(atlas.kind)},
-              {"overscan", to_string(atlas.overscan)},
-              {"size", atlas.size}};
+    Json burl = Json::object();
+    if (content.options.vertex_colors.empty())
+        burl = {{"atlas", to_string(atlas.kind)},
+                {"overscan", to_string(atlas.overscan)},
+                {"size", atlas.size}};
     if (atlas.kind == AtlasKind::quad) burl["weight"] = to_string(atlas.weight);
     if (!recipe.empty()) burl["recipe"] = recipe;
     return burl;
@@ -287,7 +297,8 @@ GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVert
     if (content.options.pose && !content.options.pose_keys.keys.empty())
         add_animation(scene, content.options.pose_keys);
     add_material(scene.json, content);
-    scene.json["samplers"] = Json::array({gltf_sampler(content.atlas.options)});
+    if (content.options.vertex_colors.empty())
+        scene.json["samplers"] = Json::array({gltf_sampler(content.atlas.options)});
     return scene;
 }
 

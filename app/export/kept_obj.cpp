@@ -44,7 +44,8 @@ class ObjRewriter {
           source_(kept_.source),
           mesh_(content.mesh),
           shown_(shown),
-          lines_(corner_lines(content.atlas, normals)) {
+          lines_(corner_lines(content.atlas, normals)),
+          colors_(shown_colors(content, shown)) {
         find_triangles();
         place_points();
         const bool posed = content.options.pose.has_value();
@@ -57,6 +58,7 @@ class ObjRewriter {
   private:
     void find_triangles();
     void place_points();
+    void place_point(std::uint32_t point, std::uint32_t shown);
     void tell_cut() const;
     void print_statements(const std::string& material);
     void print_element(const ObjStatement& element);
@@ -84,6 +86,9 @@ class ObjRewriter {
     std::vector<std::uint32_t> first_;  ///< per face of the file its first triangle, and the end
     std::vector<std::uint32_t> cut_;    ///< corners_of_triangles() of the file
     std::size_t carved_ = 0;            ///< faces that the mesh has
+    std::vector<Vec4f> colors_;         ///< shown_colors()
+    std::vector<Vec4f> place_colors_;   ///< of places_; empty without vertex colours
+    std::vector<char> is_colored_;      ///< whether the file's point is of a textured face
     std::vector<Vec3d> places_;         ///< the file's points as they are written
     bool keeps_normals_ = false;        ///< whether the file's normals are written
     std::unordered_map<std::uint32_t, std::size_t> extra_;  ///< numbers of points beyond the file's
@@ -119,9 +124,17 @@ void ObjRewriter::place_points() {
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t corner = corner_of(face, mesh_.triangles[t][k]);
                 if (corner != no_index)
-                    places_[source_.faces.corners[corner]] =
-                        shown_.positions[shown_.triangles[t][k]];
+                    place_point(source_.faces.corners[corner], shown_.triangles[t][k]);
             }
+}
+
+void ObjRewriter::place_point(std::uint32_t point, std::uint32_t shown) {
+    places_[point] = shown_.positions[shown];
+    if (colors_.empty()) return;
+    place_colors_.resize(places_.size());
+    is_colored_.resize(places_.size(), 0);
+    place_colors_[point] = colors_[shown];
+    is_colored_[point] = 1;
 }
 
 /// The file's corner of the face at a point of the mesh; no_index for a point that the atlas made.
@@ -189,8 +202,8 @@ bool ObjRewriter::print_polygon(std::uint32_t face) {
     statements_.push_back('f');
     const std::size_t offset = keeps_faces() ? source_.uvs.size() : 0;
     for (std::size_t k = 0; k < size; ++k)
-        put(statements_, FMT_COMPILE(" {}/{}/{}"),
-            1 + std::size_t(source_.faces.corners[begin + k]), uv[k] + offset, normal[k]);
+        print_corner(statements_, 1 + std::size_t(source_.faces.corners[begin + k]),
+                     uv[k] == 0 ? 0 : uv[k] + offset, normal[k]);
     statements_.push_back('\n');
     return true;
 }
@@ -199,10 +212,9 @@ void ObjRewriter::print_triangle(std::uint32_t face, std::uint32_t t) {
     const std::size_t offset = keeps_faces() ? source_.uvs.size() : 0;
     statements_.push_back('f');
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t corner = 3 * std::size_t(t) + k;
-        put(statements_, FMT_COMPILE(" {}/{}/{}"), point_number(face, t, k),
-            lines_.uv[corner] + offset,
-            normal_number(corner_of(face, mesh_.triangles[t][k]), corner));
+        const std::size_t corner = 3 * std::size_t(t) + k, uv = lines_.uv[corner];
+        print_corner(statements_, point_number(face, t, k), uv == 0 ? 0 : uv + offset,
+                     normal_number(corner_of(face, mesh_.triangles[t][k]), corner));
     }
     statements_.push_back('\n');
 }
@@ -291,7 +303,10 @@ void ObjRewriter::print_libraries(ObjText& text) const {
 void ObjRewriter::print_points(ObjText& text) const {
     const bool colored = !source_.faces.colors.values.empty() && !keeps_faces();
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        if (places_[i] == source_.faces.points[i] && !colored)
+        const bool has_color = !is_colored_.empty() && is_colored_[i];
+        if (has_color)
+            print_point(text, places_[i], &place_colors_[i]);
+        else if (places_[i] == source_.faces.points[i] && !colored)
             put(text, FMT_COMPILE("{}\n"), source_.points[i]);
         else
             print_point(text, places_[i]);

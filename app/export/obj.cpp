@@ -17,10 +17,9 @@
 #include "app/base/unique_rows.h"
 #include "app/export/formats.h"
 #include "app/export/obj_text.h"
+#include "app/export/placed_triangles.h"
 #include "app/image/image_io.h"
 #include "app/surface/node_transform.h"
-#include "app/surface/normals.h"
-#include "app/surface/posed_corners.h"
 #include "procedural/color/srgb.h"
 
 namespace burl {
@@ -65,8 +64,8 @@ void print_faces(ObjText& text, const FaceNumbers& numbers, const Offsets& offse
         text.push_back('f');
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t c = first + (turn_over ? (3 - k) % 3 : k);
-            put(text, FMT_COMPILE(" {}/{}/{}"), numbers.point[c] + offsets.point, numbers.uv[c],
-                numbers.normal[c] + offsets.normal);
+            print_corner(text, numbers.point[c] + offsets.point, numbers.uv[c],
+                         numbers.normal[c] + offsets.normal);
         }
         text.push_back('\n');
     }
@@ -75,7 +74,7 @@ void print_faces(ObjText& text, const FaceNumbers& numbers, const Offsets& offse
 /// Prints all placements of a part but the first, with points and normals of their own and shared
 /// vt lines.
 void print_copies(ObjText& text, const Mesh& mesh, const Part& part, const CornerLines& lines,
-                  Offsets& offsets) {
+                  std::span<const Vec4f> colors, Offsets& offsets) {
     FaceNumbers numbers = face_numbers(mesh, part, lines);
     const std::vector<std::size_t> points = compact(numbers.point);
     const std::vector<std::size_t> normals = compact(numbers.normal);
@@ -83,7 +82,8 @@ void print_copies(ObjText& text, const Mesh& mesh, const Part& part, const Corne
         const NormalTransform normal_transform(part.instances[i]);
         put(text, FMT_COMPILE("o {} {}\n"), one_line(part.name), i + 1);
         for (const std::size_t p : points) {
-            print_point(text, Vec3d(part.instances[i] * Vec4d(mesh.positions[p - 1], 1.0)));
+            print_point(text, Vec3d(part.instances[i] * Vec4d(mesh.positions[p - 1], 1.0)),
+                        colors.empty() ? nullptr : &colors[p - 1]);
         }
         for (const std::size_t n : normals) {
             print_normal(text, normal_transform(lines.normals[n - 1]));
@@ -94,12 +94,14 @@ void print_copies(ObjText& text, const Mesh& mesh, const Part& part, const Corne
     }
 }
 
-ObjText obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> normals,
+ObjText obj_text(const SceneContent& content, const Mesh& mesh, std::span<const Vec3f> normals,
                  const std::string& mtl_name, const std::string& material) {
-    const CornerLines lines = corner_lines(atlas, normals);
+    const CornerLines lines = corner_lines(content.atlas, normals);
+    const std::vector<Vec4f> colors = shown_colors(content, mesh);
     ObjText text;
     put(text, FMT_COMPILE("# Burl " BURL_VERSION "\nmtllib {}\nusemtl {}\n"), mtl_name, material);
-    for (const Vec3d& p : mesh.positions) print_point(text, p);
+    for (std::size_t p = 0; p < mesh.positions.size(); ++p)
+        print_point(text, mesh.positions[p], colors.empty() ? nullptr : &colors[p]);
     text.append(lines.text);
     for (const Vec3f& n : lines.normals) print_normal(text, n);
     for (const Part& part : mesh.parts) {
@@ -108,7 +110,7 @@ ObjText obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> no
     }
     Offsets offsets{mesh.positions.size(), lines.normals.size()};
     for (const Part& part : mesh.parts) {
-        if (part.instances.size() > 1) print_copies(text, mesh, part, lines, offsets);
+        if (part.instances.size() > 1) print_copies(text, mesh, part, lines, colors, offsets);
     }
     return text;
 }
@@ -172,9 +174,10 @@ std::vector<AtomicFile> write_files(const SceneContent& content, const Mesh& mes
     const std::string name = obj_material_name(content);
     const ObjText text = content.options.obj
                              ? kept_obj_text(content, mesh, normals, file_name(library), name)
-                             : obj_text(mesh, content.atlas, normals, file_name(library), name);
-    std::string material = fmt::format(
-        "newmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n", name, file_name(texture));
+                             : obj_text(content, mesh, normals, file_name(library), name);
+    std::string material = fmt::format("newmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\n", name);
+    if (content.options.vertex_colors.empty())
+        material += fmt::format("map_Kd {}\n", file_name(texture));
     const auto& bumps = content.options.normals;
     if (bumps && bumps->tangent_space)
         material += fmt::format("norm {}\n", file_name(normal_map_path(content.path)));
@@ -202,12 +205,8 @@ BakedImage cut(BakedImage image, double cutoff) {
 }
 
 std::vector<AtomicFile> write_content(const SceneContent& content) {
-    const Mesh& mesh = content.mesh;
-    const std::vector<Vec3f> rest = corner_normals(mesh, content.options.crease_degrees);
-    if (!content.options.pose) return write_files(content, mesh, rest);
-    const auto& [pose, weight] = *content.options.pose;
-    return write_files(content, posed_mesh(mesh, pose, weight),
-                       blended_normals(rest, posed_corners(mesh, pose, rest).normals, weight));
+    const auto [mesh, normals] = shown_mesh(content);
+    return write_files(content, mesh, normals);
 }
 
 }  // namespace

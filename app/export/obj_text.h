@@ -36,10 +36,20 @@ struct CornerLines {
     ObjText text;
 };
 
-/// The lines of these normals, one per triangle corner, and of the atlas's places.
+/// The lines of these normals, one per triangle corner, and of the atlas's places, if there is one:
+/// without, all numbers of vt are 0.
 CornerLines corner_lines(const Atlas& atlas, std::span<const Vec3f> normals);
 
-void print_point(ObjText& text, const Vec3d& p);
+/// Prints a corner of a face by its numbers; `uv` 0 means that it has no texture coordinate.
+void print_corner(ObjText& text, std::size_t point, std::size_t uv, std::size_t normal);
+
+/// Per point of the shown mesh its colour, from those of the content's mesh; empty where the scene
+/// has no vertex colours.
+std::vector<Vec4f> shown_colors(const SceneContent& content, const Mesh& shown);
+
+/// Prints a point; with a colour in linear light, as codes of sRGB from 0 to 1, as Blender and
+/// MeshLab read them.
+void print_point(ObjText& text, const Vec3d& p, const Vec4f* color = nullptr);
 void print_normal(ObjText& text, const Vec3f& n);
 
 /// The text of an OBJ that keeps of `content.options.obj` all that is not changed: groups,

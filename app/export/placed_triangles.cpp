@@ -1,5 +1,7 @@
 #include "app/export/placed_triangles.h"
 
+#include <bit>
+
 #include "app/base/unique_rows.h"
 #include "app/export/obj_text.h"
 #include "app/surface/node_transform.h"
@@ -46,8 +48,8 @@ ShownMesh shown_mesh(const SceneContent& content) {
     std::vector<Vec3f> rest = corner_normals(content.mesh, content.options.crease_degrees);
     if (!content.options.pose) return {content.mesh, std::move(rest)};
     const auto& [pose, weight] = *content.options.pose;
-    std::vector<Vec3f> normals = blended_normals(
-        rest, posed_corners(content.mesh, pose, rest).normals, weight);
+    std::vector<Vec3f> normals =
+        blended_normals(rest, posed_corners(content.mesh, pose, rest).normals, weight);
     return {posed_mesh(content.mesh, pose, weight), std::move(normals)};
 }
 
@@ -63,8 +65,8 @@ PlacedTriangles placed_triangles(const SceneContent& content) {
     PlacedTriangles out;
     for (std::size_t c = 0; c < normals.size(); ++c) {
         const std::uint32_t point = mesh.triangles[c / 3][c % 3], uv = textured ? lines.uv[c] : 0,
-                            normal = normal_rows.insert(std::bit_cast<std::array<std::uint32_t, 3>>(
-                                normals[c] + 0.0f)),
+                            normal = normal_rows.insert(
+                                std::bit_cast<std::array<std::uint32_t, 3>>(normals[c] + 0.0f)),
                             vertex = rows.insert({point, uv, normal});
         if (vertex == out.points.size()) {
             out.points.push_back(mesh.positions[point] + 0.0);

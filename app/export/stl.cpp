@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include <fmt/format.h>
 
@@ -23,13 +22,25 @@ void add_vector(std::string& text, const Vec3f& v) {
     for (int k = 0; k < 3; ++k) add_word(text, std::bit_cast<std::uint32_t>(v[k] + 0.0f));
 }
 
-/// The unit normal of the corners in order; 0, which readers replace, for a triangle without area.
-Vec3f facet_normal(const std::array<Vec3d, 3>& p) {
-    const Vec3d u = p[1] - p[0], v = p[2] - p[0];
+/// The unit normal of the corners in order, as they are written; 0, which readers replace, for a
+/// triangle without area.
+Vec3f facet_normal(const std::array<Vec3f, 3>& p) {
+    const Vec3d u = Vec3d(p[1]) - Vec3d(p[0]), v = Vec3d(p[2]) - Vec3d(p[0]);
     const double scale = std::max(glm::length(u), glm::length(v));
     const Vec3d normal = scale > 0.0 ? glm::cross(u / scale, v / scale) : Vec3d(0.0);
     const double length = glm::length(normal);
     return length > 0.0 ? Vec3f(normal / length) : Vec3f(0.0f);
+}
+
+/// Throws Error(unsupported) for a point beyond the range of floats.
+Vec3f float_point(const SceneContent& content, const Vec3d& point) {
+    const Vec3f result(point);
+    if (!std::isfinite(result.x) || !std::isfinite(result.y) || !std::isfinite(result.z))
+        throw Error(ExitCode::unsupported,
+                    fmt::format("{}: a point lies farther than the 32-bit floats of an .stl reach; "
+                                "write a .ply or .obj instead",
+                                content.path));
+    return result;
 }
 
 }  // namespace
@@ -40,17 +51,11 @@ AtomicFile write_stl(const SceneContent& content) {
     text.resize(80, ' ');
     add_word(text, std::uint32_t(what.triangles.size()));
     for (const Triangle& triangle : what.triangles) {
-        std::array<Vec3d, 3> corners;
-        for (std::size_t k = 0; k < 3; ++k) corners[k] = what.points[triangle[k]];
+        std::array<Vec3f, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k)
+            corners[k] = float_point(content, what.points[triangle[k]]);
         add_vector(text, facet_normal(corners));
-        for (const Vec3d& corner : corners) {
-            if (!std::isfinite(float(corner.x) + float(corner.y) + float(corner.z)))
-                throw Error(ExitCode::unsupported,
-                            fmt::format("{}: a point lies farther than the 32-bit floats of an "
-                                        ".stl reach; write a .ply or .obj instead",
-                                        content.path));
-            add_vector(text, Vec3f(corner));
-        }
+        for (const Vec3f& corner : corners) add_vector(text, corner);
         text.append(2, '\0');
     }
     if (content.options.tell)
