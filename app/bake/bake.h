@@ -26,7 +26,9 @@ struct BakePlan {
     std::function<void(const std::string&)> tell{};
     ImageKind kind = ImageKind::rgb8;  ///< kind of image of the textures (wanted_kind)
     int depth = 8;                     ///< bits of textures in sRGB and of normal maps, 8 or 16
-    double crease_degrees = 40.0;      ///< crease angle of computed normals (app/surface/normals.h)
+    PictureCoding coding{};            ///< of pictures (coding_asked)
+    ExrDepth exr_depth = ExrDepth::half;
+    double crease_degrees = 40.0;  ///< crease angle of computed normals (app/surface/normals.h)
     LevelsAsked levels{};
     NormalSpace normals = NormalSpace::none;
     bool normals_down = false;            ///< whether a normal map's green points down

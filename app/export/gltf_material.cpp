@@ -11,6 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* webp_extension = "EXT_texture_webp";
+
 Json light(const Rgb8& color) {
     const Vec3d linear = linear_light(color);
     return {linear.x, linear.y, linear.z};
@@ -63,12 +65,15 @@ Json material(const SceneContent& content) {
     return json;
 }
 
-/// The textures, whose images follow one another with their levels.
+/// The textures, whose images follow one another with their levels. WebP is an extension's, without
+/// a picture in another format to fall back on.
 Json textures(const SceneContent& content) {
+    const bool webp = content.options.coding.format == TextureFormat::webp;
     Json result = Json::array();
     std::size_t image = 0;
     for (const std::vector<SceneImage>& texture : scene_textures(content, "")) {
-        Json json{{"sampler", 0}, {"source", image}};
+        Json json{{"sampler", 0}};
+        (webp ? json["extensions"][webp_extension] : json)["source"] = image;
         for (std::size_t l = 1; l < texture.size(); ++l)
             json["extras"]["burl_levels"].push_back(image + l);
         image += texture.size();
@@ -84,6 +89,10 @@ void add_material(Json& document, const SceneContent& content) {
     if (one.contains("extensions"))
         for (const auto& item : one["extensions"].items())
             document["extensionsUsed"].push_back(item.key());
+    if (content.options.coding.format == TextureFormat::webp) {
+        document["extensionsUsed"].push_back(webp_extension);
+        document["extensionsRequired"].push_back(webp_extension);
+    }
     document["materials"] = Json::array({std::move(one)});
     document["textures"] = textures(content);
 }

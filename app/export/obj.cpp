@@ -182,19 +182,39 @@ Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> norma
     return text;
 }
 
+/// The lines that viewers without MTL's extension read, in the measures of Blender's own exporter:
+/// the specular level, half of which is its 1, and an exponent of 1000 (1 - roughness)^2. Blender's
+/// importers take `Ks 0` for no reflection, and a missing `Ns` for roughness 1.
+std::string mtl_highlight(const Material& material) {
+    const double level = 0.5 * material.specular, smooth = 1.0 - material.roughness;
+    return fmt::format("Ks {0:.4g} {0:.4g} {0:.4g}\nNs {1:.4g}\nillum 2\n", level,
+                       1000.0 * smooth * smooth);
+}
+
+/// The lines of a normal map: `norm`, and `map_Bump`, which Blender takes for a normal map of the
+/// strength that -bm says. Godot reads map_bump, in small letters only, and no options.
+std::string mtl_normals(const SceneContent& content) {
+    const auto& normals = content.options.normals;
+    if (!normals || !normals->tangent_space) return "";
+    const std::string file =
+        file_name(normal_map_path(content.path, content.options.coding.format));
+    return fmt::format("norm {0}\nmap_Bump -bm 1 {0}\n", file);
+}
+
 /// The lines of the material besides its base colour and normals, by the extension of MTL for
 /// physically based rendering that Blender, Clara.io and Assimp read; none for a material without
 /// anything of its own.
 std::string mtl_material(const SceneContent& content) {
     const Material& m = content.options.material;
     const auto& pictures = content.options.pictures;
+    const TextureFormat format = content.options.coding.format;
     std::string text;
     const auto packed = std::ranges::find_if(pictures, [](const ExportPicture& picture) {
         return picture.name == "orm" || picture.name == "mask";
     });
     if (packed != pictures.end())
         text += fmt::format("# roughness and metallic: {}\n",
-                            file_name(picture_path(content.path, packed->name)));
+                            file_name(picture_path(content.path, packed->name, format)));
     else if (m != Material{} || !pictures.empty())
         text += fmt::format("Pr {}\nPm {}\n", m.roughness, m.metallic);
     if (m.clearcoat != 0.0)
@@ -212,29 +232,24 @@ std::string mtl_material(const SceneContent& content) {
         for (const auto& [name, line] : maps)
             if (picture.name == name)
                 text += fmt::format("{} {}\n", line,
-                                    file_name(picture_path(content.path, picture.name)));
+                                    file_name(picture_path(content.path, picture.name, format)));
     if (has_alpha(content.image))
-        text += fmt::format(
-            "map_d -imfchan m {}\n",
-            file_name(std::filesystem::path(content.path).replace_extension(".png").string()));
+        text += fmt::format("map_d -imfchan m {}\n",
+                            file_name(path_beside(content.path, extension_of(format))));
     return text;
 }
 
 /// Writes the files of a mesh with these normals, one per triangle corner.
 std::vector<AtomicFile> write_files(const SceneContent& content, const Mesh& mesh,
                                     std::span<const Vec3f> normals) {
-    const auto beside = [&](const char* extension) {
-        return std::filesystem::path(content.path).replace_extension(extension);
-    };
-    const std::string texture = beside(".png").string(), library = beside(".mtl").string();
+    const std::string texture =
+        path_beside(content.path, extension_of(content.options.coding.format));
+    const std::string library = path_beside(content.path, ".mtl");
     const std::string name = without_spaces(material_name(content));
     const Text text = obj_text(mesh, content.atlas, normals, file_name(library), name);
-    std::string material = fmt::format(
-        "newmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n", name, file_name(texture));
-    const auto& bumps = content.options.normals;
-    if (bumps && bumps->tangent_space)
-        material += fmt::format("norm {}\n", file_name(normal_map_path(content.path)));
-    material += mtl_material(content);
+    std::string material = fmt::format("newmtl {}\nKa 0 0 0\nKd 1 1 1\n{}map_Kd {}\n", name,
+                                       mtl_highlight(content.options.material), file_name(texture));
+    material += mtl_normals(content) + mtl_material(content);
     std::vector<AtomicFile> files;
     add_images(files, content, texture);
     files.emplace_back(library).write(material);

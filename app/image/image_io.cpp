@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstring>
-#include <filesystem>
 
 #include <png.h>
 
@@ -188,15 +187,6 @@ void write_png(const std::string& path, const Image<Rgb8>& image) {
     AtomicFile file(path);
     encode_png(image, sink_of(file));
     file.commit();
-}
-
-std::string level_extension(std::size_t level) {
-    return fmt::format(".{}.png", level);
-}
-
-std::string normal_map_path(const std::string& out_path) {
-    std::filesystem::path path(out_path);
-    return path.replace_filename(path.stem().string() + "_normal.png").string();
 }
 
 }  // namespace burl

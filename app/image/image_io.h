@@ -74,10 +74,4 @@ std::vector<std::uint8_t> encode_png(const IndexedImage& image);
 /// Writes the file, whole or not at all (app/base/atomic_file.h). Throws Error(io).
 void write_png(const std::string& path, const Image<Rgb8>& image);
 
-/// The extension that replaces a texture's own for the PNG of its MIP level `level` >= 1: ".1.png".
-std::string level_extension(std::size_t level);
-
-/// The path of the normal map beside an output file of any kind: "a_normal.png" for "a.obj".
-std::string normal_map_path(const std::string& out_path);
-
 }  // namespace burl
