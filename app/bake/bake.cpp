@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include "app/bake/texture.h"
 #include "app/base/stopwatch.h"
@@ -152,10 +153,12 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     const BakedAtlas& baked = result.texture;
     const Atlas& atlas = baked.packed ? *baked.packed : pipeline.atlas();
     const Mesh& rest = pipeline.atlas_mesh();
-    std::vector<AtomicFile> files =
-        plan.displaces ? scene_files(path, displaced_mesh(rest, pipeline.recipe(), pipeline.mesh()),
-                                     atlas, baked.image, options)
-                       : scene_files(path, rest, atlas, baked.image, options);
+    tbb::task_arena arena(plan.threads > 0 ? plan.threads : tbb::task_arena::automatic);
+    std::vector<AtomicFile> files = arena.execute([&] {
+        if (!plan.displaces) return scene_files(path, rest, atlas, baked.image, options);
+        return scene_files(path, displaced_mesh(rest, pipeline.recipe(), pipeline.mesh()), atlas,
+                           baked.image, options);
+    });
     result.levels.count = std::uint32_t(options.levels.size());
     result.normals = std::move(options.normals);
     result.writing += seconds_since(writing);

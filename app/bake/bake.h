@@ -39,7 +39,7 @@ struct BakePlan {
     std::string shader{};                 ///< path of the texture as GLSL; empty: none
     std::vector<std::string> channels{};  ///< masks written beside (app/pipeline/mask_picture.h)
     bool measures = true;                 ///< whether the atlas is measured for a report
-    int threads = 0;                      ///< number of threads for the solid map; 0: all
+    int threads = 0;                      ///< number of threads for the files; 0: all
     /// Is told what comes next, and which share of the bake is done, 0 to 1; empty: nobody is.
     std::function<void(const char* next, double share)> reached{};
     /// A request by another thread to stop: bake() then throws Error(runtime) soon. Files of frames

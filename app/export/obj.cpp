@@ -2,6 +2,7 @@
 // coordinates, rather than centred floats. It is built in one buffer per kind of line and written
 // in large pieces.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <filesystem>
@@ -184,11 +185,12 @@ Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> norma
 
 /// The lines that viewers without MTL's extension read, in the measures of Blender's own exporter:
 /// the specular level, half of which is its 1, and an exponent of 1000 (1 - roughness)^2. Blender's
-/// importers take `Ks 0` for no reflection, and a missing `Ns` for roughness 1.
+/// importers take `Ks 0` for no reflection, and a missing `Ns` for roughness 1. The exponent is at
+/// least 10, since Phong's highlight of exponent 0 covers everything.
 std::string mtl_highlight(const Material& material) {
     const double level = 0.5 * material.specular, smooth = 1.0 - material.roughness;
     return fmt::format("Ks {0:.4g} {0:.4g} {0:.4g}\nNs {1:.4g}\nillum 2\n", level,
-                       1000.0 * smooth * smooth);
+                       std::max(10.0, 1000.0 * smooth * smooth));
 }
 
 /// The lines of a normal map: `norm`, and `map_Bump`, which Blender takes for a normal map of the

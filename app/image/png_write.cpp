@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstring>
 #include <limits>
-#include <optional>
 #include <string_view>
 
 #include <libdeflate.h>
@@ -119,11 +118,14 @@ std::array<std::uint8_t, 4> four_bytes(std::uint32_t number) {
 
 /// Passes a chunk of a PNG file to the sink: length, type, data, CRC-32 of type and data.
 void write_chunk(const ByteSink& sink, std::string_view type, std::span<const std::uint8_t> data) {
-    const std::uint32_t of_type = ::libdeflate_crc32(0, type.data(), type.size());
+    std::uint32_t checksum = ::libdeflate_crc32(0, type.data(), type.size());
     sink(four_bytes(std::uint32_t(data.size())));
     sink({reinterpret_cast<const std::uint8_t*>(type.data()), type.size()});
-    if (!data.empty()) sink(data);
-    sink(four_bytes(::libdeflate_crc32(of_type, data.data(), data.size())));
+    if (!data.empty()) {  // libdeflate begins anew where it is given no data
+        sink(data);
+        checksum = ::libdeflate_crc32(checksum, data.data(), data.size());
+    }
+    sink(four_bytes(checksum));
 }
 
 void write_header(const ByteSink& sink, const PngRaster& raster, PngContent content) {
@@ -186,19 +188,18 @@ void write_bands(const ByteSink& sink, const PngRaster& raster, int level) {
             tbb::make_filter<PngBand, void>(tbb::filter_mode::serial_in_order, write));
 }
 
-void encode_raster(const ByteSink& sink, const PngRaster& raster, PngContent content,
-                   std::optional<int> level) {
+void encode_raster(const ByteSink& sink, const PngRaster& raster, PngContent content, int level) {
     if (raster.width > max_png_side || raster.height > max_png_side)
         throw Error(ExitCode::runtime, fmt::format("an image of {} x {} is too large for PNG",
                                                    raster.width, raster.height));
     const bool is_small = raster.stride() * raster.height <= small_image;
+    const int by_size = is_small ? small_level : large_level;
     write_header(sink, raster, content);
-    write_bands(sink, raster, level.value_or(is_small ? small_level : large_level));
+    write_bands(sink, raster, level == png_level_by_size ? by_size : level);
     write_chunk(sink, "IEND", {});
 }
 
-std::vector<std::uint8_t> encoded(const PngRaster& raster, PngContent content,
-                                  std::optional<int> level) {
+std::vector<std::uint8_t> encoded(const PngRaster& raster, PngContent content, int level) {
     std::vector<std::uint8_t> out;
     const auto append = [&](std::span<const std::uint8_t> bytes) {
         out.insert(out.end(), bytes.begin(), bytes.end());
@@ -231,21 +232,21 @@ bool is_grey(const IndexedImage& image) {
 }  // namespace
 
 template <class Pixel>
-std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, std::optional<int> level) {
+std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level) {
     return encoded(raster_of(image), png_content<Pixel>, level);
 }
 
 template <class Pixel>
 void encode_png(const Image<Pixel>& image, const ByteSink& sink, PngContent content) {
-    encode_raster(sink, raster_of(image), content, {});
+    encode_raster(sink, raster_of(image), content, png_level_by_size);
 }
 
-template std::vector<std::uint8_t> encode_png(const Image<Rgb8>&, std::optional<int>);
-template std::vector<std::uint8_t> encode_png(const Image<Rgb16>&, std::optional<int>);
-template std::vector<std::uint8_t> encode_png(const Image<Rgba8>&, std::optional<int>);
-template std::vector<std::uint8_t> encode_png(const Image<Rgba16>&, std::optional<int>);
-template std::vector<std::uint8_t> encode_png(const Image<Grey8>&, std::optional<int>);
-template std::vector<std::uint8_t> encode_png(const Image<Grey16>&, std::optional<int>);
+template std::vector<std::uint8_t> encode_png(const Image<Rgb8>&, int);
+template std::vector<std::uint8_t> encode_png(const Image<Rgb16>&, int);
+template std::vector<std::uint8_t> encode_png(const Image<Rgba8>&, int);
+template std::vector<std::uint8_t> encode_png(const Image<Rgba16>&, int);
+template std::vector<std::uint8_t> encode_png(const Image<Grey8>&, int);
+template std::vector<std::uint8_t> encode_png(const Image<Grey16>&, int);
 template void encode_png(const Image<Rgb8>&, const ByteSink&, PngContent);
 template void encode_png(const Image<Rgb16>&, const ByteSink&, PngContent);
 template void encode_png(const Image<Rgba8>&, const ByteSink&, PngContent);

@@ -38,8 +38,8 @@ TEST(Export, UnknownExtensionsAreAUsageErrorThatListsTheKnown) {
             EXPECT_NE(message.find(known), std::string::npos) << message;
         }
     }
-    for (const char* name : {"a.glb", "a.GLB", "b.Gltf", "c.obj", "d.png", "e.exr", "f.jpg", "f.JPEG",
-                             "g.webp", "h.ktx2"}) {
+    for (const char* name : {"a.glb", "a.GLB", "b.Gltf", "c.obj", "d.png", "e.exr", "f.jpg",
+                             "f.JPEG", "g.webp", "h.ktx2"}) {
         EXPECT_NO_THROW(output_paths(folder / name)) << name;
     }
 }
@@ -101,9 +101,11 @@ TEST(Export, PicturesAreCodedAsAskedOrAsTheOutputIsCalled) {
     EXPECT_EQ(coding_asked("webp:80", "a.obj").quality, 80);
     EXPECT_EQ(coding_asked("jpeg:80", "a.jpeg").quality, 80);
     EXPECT_EQ(coding_asked("ktx2", "a.obj").format, TextureFormat::ktx2);
-    for (const auto& [text, path, why] :
-         {std::array{"webp", "a.jpg", "extension"}, {"png", "a.ktx2", "extension"},
-          {"ktx2", "a.glb", "Basis"}, {"ktx2:3", "a.gltf", "Basis"}, {"tiff", "a.glb", "must be"}}) {
+    for (const auto& [text, path, why] : {std::array{"webp", "a.jpg", "extension"},
+                                          {"png", "a.ktx2", "extension"},
+                                          {"ktx2", "a.glb", "Basis"},
+                                          {"ktx2:3", "a.gltf", "Basis"},
+                                          {"tiff", "a.glb", "must be"}}) {
         const auto [code, message] = failure([&] { coding_asked(text, path); });
         EXPECT_EQ(code, ExitCode::usage) << text;
         EXPECT_NE(message.find(why), std::string::npos) << message;
@@ -117,7 +119,8 @@ TEST(Export, AFullDiskLeavesNothing) {
     rlimit before{};
     ::getrlimit(RLIMIT_FSIZE, &before);
     const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-    for (const char* name : {"a.glb", "a.gltf", "a.obj", "a.png", "a.exr", "a.jpg", "a.webp", "a.ktx2"}) {
+    for (const char* name :
+         {"a.glb", "a.gltf", "a.obj", "a.png", "a.exr", "a.jpg", "a.webp", "a.ktx2"}) {
         const rlimit limit{200, before.rlim_max};
         ::setrlimit(RLIMIT_FSIZE, &limit);
         const BakedImage image = wanted_kind(name, 8) == ImageKind::rgb_float

@@ -45,7 +45,7 @@ Image<Pixel> smooth_picture(std::size_t width, std::size_t height) {
                     std::sin(double(x) * 0.11 + double(c)) * std::cos(0.07 * double(y));
                 codes[c] = std::uint8_t(120.0 + 100.0 * wave + double(state >> 30));
             }
-            std::memcpy(&image(x, y), codes, sizeof(Pixel));
+            std::memcpy(static_cast<void*>(&image(x, y)), codes, sizeof(Pixel));
         }
     return image;
 }

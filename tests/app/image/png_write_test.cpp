@@ -1,5 +1,6 @@
 // PNG files of several bands, read by libpng's plain interface.
 #include <cmath>
+#include <cstring>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -24,7 +25,7 @@ Image<Pixel> banded_picture(std::size_t width, std::size_t height) {
                 const std::uint32_t noise = y / 200 % 2 == 0 ? state >> 30 : state >> 24;
                 codes = codes << 8 | ((std::uint32_t(100.0 + 90.0 * wave) + noise) & 255u);
             }
-            std::memcpy(&image(x, y), &codes, sizeof(Pixel));
+            std::memcpy(static_cast<void*>(&image(x, y)), &codes, sizeof(Pixel));
         }
     return image;
 }
@@ -41,8 +42,7 @@ std::vector<std::uint16_t> codes_in(const Image<Pixel>& image) {
 template <class Pixel>
 void expect_codes(std::size_t width, std::size_t height, int color_type) {
     const Image<Pixel> image = banded_picture<Pixel>(width, height);
-    for (const std::optional<int> level :
-         {std::optional<int>(), std::optional<int>(0), std::optional<int>(9)}) {
+    for (const int level : {png_level_by_size, 0, 9}) {
         const RawPng raw = raw_png(encode_png(image, level));
         EXPECT_EQ(raw.width, width);
         EXPECT_EQ(raw.height, height);
