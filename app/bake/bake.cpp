@@ -6,13 +6,13 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include "app/bake/texture.h"
 #include "app/base/stopwatch.h"
 #include "app/export/emit.h"
 #include "app/export/formats.h"
-#include "app/image/image_io.h"
 #include "app/pipeline/displaced_mesh.h"
 #include "app/pipeline/mask_picture.h"
 #include "app/recipe/edit/recipe_json.h"
@@ -62,6 +62,13 @@ void set_frame(Pipeline& pipeline, const BakePlan& plan, std::size_t number) {
     const Recipe recipe = plan.recipe(number);
     check_lattice(recipe, pipeline.mesh());
     pipeline.set_recipe(recipe);
+}
+
+/// The size of an arena for the plan's threads; more than there are would be warned of.
+int threads_of(const BakePlan& plan) {
+    const auto most =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return plan.threads > 0 ? std::min(plan.threads, int(most)) : tbb::task_arena::automatic;
 }
 
 ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose) {
@@ -153,7 +160,7 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     const BakedAtlas& baked = result.texture;
     const Atlas& atlas = baked.packed ? *baked.packed : pipeline.atlas();
     const Mesh& rest = pipeline.atlas_mesh();
-    tbb::task_arena arena(plan.threads > 0 ? plan.threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(threads_of(plan));
     std::vector<AtomicFile> files = arena.execute([&] {
         if (!plan.displaces) return scene_files(path, rest, atlas, baked.image, options);
         return scene_files(path, displaced_mesh(rest, pipeline.recipe(), pipeline.mesh()), atlas,
