@@ -121,7 +121,7 @@ TEST(Export, AFullDiskLeavesNothing) {
     const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
     for (const char* name :
          {"a.glb", "a.gltf", "a.obj", "a.png", "a.exr", "a.jpg", "a.webp", "a.ktx2"}) {
-        const rlimit limit{200, before.rlim_max};
+        const rlimit limit{40, before.rlim_max};
         ::setrlimit(RLIMIT_FSIZE, &limit);
         const BakedImage image = wanted_kind(name, 8) == ImageKind::rgb_float
                                      ? BakedImage(Image<RgbF>(64, 64))

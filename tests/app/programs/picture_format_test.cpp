@@ -11,8 +11,9 @@ namespace {
 class PictureFormat : public testing::Test {
   protected:
     Outcome bake(const std::string& out, const std::string& options) {
-        return run_burl(scratch_, fmt::format("bake sample:cube -o '{}' --size 64 {}",
-                                              scratch_ / out, options));
+        const char* size = options.find("--size") == std::string::npos ? "--size 64" : "";
+        return run_burl(
+            scratch_, fmt::format("bake sample:cube -o '{}' {} {}", scratch_ / out, size, options));
     }
     nlohmann::json gltf(const std::string& name) {
         return nlohmann::json::parse(slurp(scratch_ / name));
