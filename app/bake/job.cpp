@@ -76,6 +76,8 @@ BakePlan plan_of(const BakeCommand& command,
     plan.recipe = [recipes](std::size_t number) { return (*recipes)[number]; };
     plan.tell = [](const std::string& what) { warn(what); };
     plan.depth = command.bits();
+    plan.coding = coding_asked(command.picture_format, command.out);
+    plan.exr_depth = command.depth == 32 ? ExrDepth::full : ExrDepth::half;
     plan.crease_degrees = command.crease_degrees();
     const Recipe& first = recipes->front();
     plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
@@ -143,7 +145,7 @@ std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
         for (const std::string& path : plan_.paths)
             std::ranges::move(paths_of(path, levels), std::back_inserter(outputs));
     for (const std::string& name : command_.channels)
-        outputs.push_back(picture_path(command_.out, name));
+        outputs.push_back(picture_path(command_.out, name, plan_.coding.format));
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
         if (!path.empty()) outputs.push_back(path);
     return outputs;
@@ -162,10 +164,11 @@ void BakeJob::check_files() const {
 /// Checks the command before any work starts. Throws Error.
 void BakeJob::check() const {
     if (command_.animation.asked() && holds_mesh(command_.out))
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: --frames writes textures alone, .png or .exr; bake the mesh "
-                                "once without --frames: its texture coordinates fit every frame",
-                                command_.out));
+        throw Error(
+            ExitCode::usage,
+            fmt::format("{}: --frames writes textures alone, .png or .exr, say; bake the mesh "
+                        "once without --frames: its texture coordinates fit every frame",
+                        command_.out));
     check_files();
     const AtlasKind kind = recipe().atlas.kind;
     if (command_.compress && kind != AtlasKind::quad)
@@ -184,6 +187,7 @@ void BakeJob::check() const {
             ExitCode::usage,
             "--pose moves the whole mesh, and a choice of its parts some of it; leave one of "
             "the two out");
+    check_coding();
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_idle();
 }
@@ -229,6 +233,30 @@ void BakeJob::check_vertex_colors() const {
                                     edit.said));
 }
 
+/// Throws Error(usage) where the pictures cannot have what else is asked for.
+void BakeJob::check_coding() const {
+    const TextureFormat format = plan_.coding.format;
+    const auto refuse = [&](std::string_view what, const std::string& why) {
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: {} with pictures in {}: {}; write them in png", command_.out,
+                                what, to_string(format), why));
+    };
+    if (command_.depth == 32 && plan_.kind != ImageKind::rgb_float)
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --depth 32: only an .exr has 32-bit floats", command_.out));
+    if (format == TextureFormat::png) return;
+    if (plan_.depth == 16 && command_.depth != 32) refuse("--depth 16", "its codes have 8 bits");
+    if (recipe().atlas.size > most_pixels(format) && plan_.kind != ImageKind::rgb_float)
+        refuse(fmt::format("--size {}", recipe().atlas.size),
+               fmt::format("it has at most {} pixels a side", most_pixels(format)));
+    if (format != TextureFormat::jpeg || plan_.kind == ImageKind::rgb_float) return;
+    if (is_transparent(recipe())) refuse("opacity", "it has no alpha");
+    for (const MaterialPicture& picture :
+         material_pictures(recipe(), plan_.packing, plan_.material().rough_levels()))
+        if (picture.components == 4)
+            refuse(fmt::format("the picture {}", picture.name), "it has no alpha");
+}
+
 /// Throws Error(usage) if an option would have no effect.
 void BakeJob::check_idle() const {
     const auto refuse = [&](std::string_view option, std::string_view why) {
@@ -237,8 +265,10 @@ void BakeJob::check_idle() const {
     };
     const bool mesh = holds_mesh(command_.out), normals = has_normals();
     const bool pictures = normals || !command_.channels.empty();
-    if (command_.depth && plan_.kind == ImageKind::rgb_float && !pictures)
+    if (command_.depth.value_or(32) != 32 && plan_.kind == ImageKind::rgb_float && !pictures)
         refuse("--depth", "an .exr always has floats");
+    if (!command_.picture_format.empty() && plan_.kind == ImageKind::rgb_float && !pictures)
+        refuse("--picture-format", "there is no picture beside the .exr");
     if (command_.normal_y == "-" && !normals) refuse("--normal-y", "there is no normal map");
     if (command_.normal_y == "-" && plan_.normals == NormalSpace::object)
         refuse("--normal-y -", "normals in object space have the mesh's own axes");
@@ -348,6 +378,12 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     if (!holds_mesh(command_.out) && !unheld.empty())
         warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
                          unheld));
+    if (plan_.depth == 16 && is_gltf(command_.out))
+        warn(
+            fmt::format("{}: viewers cut 16 bits to 8, and those that do not, such as VTK's, show "
+                        "them too light, since OpenGL has no 16-bit sRGB; leave --depth 16 out "
+                        "unless the file goes elsewhere",
+                        command_.out));
     const std::vector<std::string> flat = losses_before();
     const std::shared_ptr<KeptScene> kept = kept_scene();
     if (kept) kept->is_last = others_.empty();
