@@ -26,7 +26,6 @@
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
-#include "atlas/file/file_extension.h"
 
 namespace burl {
 
@@ -202,61 +201,6 @@ std::string BakeJob::not_of(const Recipe& recipe) const {
     return any ? "" : "--kernel " + command_.kernel;
 }
 
-/// Throws Error(usage) where --displace cannot be had with what else is asked for.
-void BakeJob::check_displacement() const {
-    if (!command_.displace) return;
-    const auto refuse = [&](const char* why) {
-        throw Error(ExitCode::usage, fmt::format("{}: --displace: {}", command_.out, why));
-    };
-    if (!holds_mesh(command_.out))
-        refuse("a texture alone has no points to move; write .glb, .gltf or .obj, or leave it out");
-    if (recipe().bump.empty())
-        refuse("the recipe has no height; add material.height, or leave --displace out");
-    if (has_normals())
-        refuse("the normal map would show the same height once more; leave --normals out");
-    if (!command_.pose.empty()) refuse("a pose has points of its own; leave one of the two out");
-}
-
-/// Throws Error(usage) where --vertex-colors has no place, or makes another option idle.
-void BakeJob::check_vertex_colors() const {
-    if (!command_.vertex_colors) return;
-    if (!holds_colors(command_.out))
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
-                                "with colours",
-                                command_.out));
-    for (const RecipeEdit& edit : command_.recipe.edits())
-        if (edit.path.starts_with("atlas."))
-            throw Error(ExitCode::usage,
-                        fmt::format("{} does nothing: --vertex-colors writes no texture; leave one "
-                                    "of the two out",
-                                    edit.said));
-}
-
-/// Throws Error(usage) where the pictures cannot have what else is asked for.
-void BakeJob::check_coding() const {
-    const TextureFormat format = plan_.coding.format;
-    const auto refuse = [&](std::string_view what, const std::string& why) {
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: {} with pictures in {}: {}; write them in png", command_.out,
-                                what, to_string(format), why));
-    };
-    if (command_.depth == 32 && plan_.kind != ImageKind::rgb_float)
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: --depth 32: only an .exr has 32-bit floats", command_.out));
-    if (format == TextureFormat::png) return;
-    if (plan_.depth == 16 && command_.depth != 32) refuse("--depth 16", "its codes have 8 bits");
-    if (recipe().atlas.size > most_pixels(format) && plan_.kind != ImageKind::rgb_float)
-        refuse(fmt::format("--size {}", recipe().atlas.size),
-               fmt::format("it has at most {} pixels a side", most_pixels(format)));
-    if (format != TextureFormat::jpeg || plan_.kind == ImageKind::rgb_float) return;
-    if (is_transparent(recipe())) refuse("opacity", "it has no alpha");
-    for (const MaterialPicture& picture :
-         material_pictures(recipe(), plan_.packing, plan_.material().rough_levels()))
-        if (picture.components == 4)
-            refuse(fmt::format("the picture {}", picture.name), "it has no alpha");
-}
-
 /// Throws Error(usage) if an option would have no effect.
 void BakeJob::check_idle() const {
     const auto refuse = [&](std::string_view option, std::string_view why) {
@@ -359,7 +303,7 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
     BakePlan plan = plan_;
     plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
-    if (lower_extension(command_.out) == ".obj" && !command_.displace)
+    if (is_obj(command_.out) && !command_.displace)
         plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
     plan.kept = kept;
     if (pose) plan.pose_keys = pose_keys();

@@ -219,6 +219,10 @@ bool holds_mesh(const std::string& out_path) {
     return format != Format::picture && format != Format::exr;
 }
 
+bool is_obj(const std::string& out_path) {
+    return format_of(out_path) == Format::obj;
+}
+
 bool is_gltf(const std::string& out_path) {
     const Format format = format_of(out_path);
     return format == Format::glb || format == Format::gltf;

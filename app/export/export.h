@@ -117,6 +117,8 @@ std::vector<std::string> paths_without_texture(const std::string& out_path);
 /// Whether the format is .glb or .gltf, whose materials take normal maps in tangent space only.
 /// Throws Error(usage) for an unknown extension.
 bool is_gltf(const std::string& out_path);
+/// Whether the format is .obj. Throws Error(usage) for an unknown extension.
+bool is_obj(const std::string& out_path);
 
 /// Whether the file contains the mesh with its texture, rather than the texture alone. Throws
 /// Error(usage) for an unknown extension.
