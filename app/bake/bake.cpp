@@ -126,6 +126,12 @@ std::vector<AtomicFile> files_of_material(Pipeline& pipeline, const BakePlan& pl
     return files;
 }
 
+/// Carves the document that the mesh was read from.
+std::vector<AtomicFile> files_of_kept(Pipeline& pipeline, KeptScene& kept,
+                                      const SceneContent& content) {
+    return kept_files(kept, content, corner_origins(pipeline.mesh(), pipeline.mesh_atlas()));
+}
+
 /// Writes the files of the frame `number`, which are still to be committed. If `releases`, the
 /// solid points are freed before the files are written, whose buffers are as large.
 std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan, std::size_t number,
@@ -162,10 +168,13 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     const Mesh& rest = pipeline.atlas_mesh();
     tbb::task_arena arena(threads_of(plan));
     std::vector<AtomicFile> files = arena.execute([&] {
+        const SceneContent content{path, rest, atlas, baked.image, options};
+        if (plan.kept) return files_of_kept(pipeline, *plan.kept, content);
         if (!plan.displaces) return scene_files(path, rest, atlas, baked.image, options);
         return scene_files(path, displaced_mesh(rest, pipeline.recipe(), pipeline.mesh()), atlas,
                            baked.image, options);
     });
+    if (plan.kept) result.lost = plan.kept->document.losses;
     result.levels.count = std::uint32_t(options.levels.size());
     result.normals = std::move(options.normals);
     result.writing += seconds_since(writing);

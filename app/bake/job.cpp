@@ -113,10 +113,18 @@ MultipassOptions multipass_options(const BakeCommand& command) {
 }  // namespace
 
 BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
-    : command_(command),
-      recipes_(recipes_of(command)),
-      plan_(plan_of(command, recipes_)),
-      inputs_(files_read(command, recipe())) {
+    : BakeJob(groups_of(command), settings) {}
+
+BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
+    : command_(groups.front().command),
+      pictures_(groups.front().pictures),
+      recipes_(recipes_of(command_)),
+      plan_(plan_of(command_, recipes_)),
+      inputs_(files_read(command_, recipe())) {
+    for (std::size_t g = 1; g < groups.size(); ++g) {
+        others_.push_back(BakeJob({groups[g]}, settings));
+        std::ranges::copy(others_.back().inputs_, std::back_inserter(inputs_));
+    }
     check();
     if (command_.kernel == forward_kernel) std::ranges::for_each(*recipes_, check_forward);
     made_from_ = what_it_is_made_from(settings);
@@ -124,11 +132,11 @@ BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
 
 std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     std::vector<std::string> outputs;
-    for (const std::string& path : plan_.paths)
-        std::ranges::move(
-            output_paths(path, levels, has_normals(), picture_names(recipe(), plan_.material()),
-                         plan_.material().rough_levels(), plan_.coding.format),
-            std::back_inserter(outputs));
+    if (pictures_ != command_.out)
+        outputs = document_outputs(levels);
+    else
+        for (const std::string& path : plan_.paths)
+            std::ranges::move(paths_of(path, levels), std::back_inserter(outputs));
     for (const std::string& name : command_.channels)
         outputs.push_back(picture_path(command_.out, name, plan_.coding.format));
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
@@ -194,30 +202,6 @@ void BakeJob::check_displacement() const {
     if (has_normals())
         refuse("the normal map would show the same height once more; leave --normals out");
     if (!command_.pose.empty()) refuse("a pose has points of its own; leave one of the two out");
-}
-
-/// Throws Error(usage) where the pictures cannot have what else is asked for.
-void BakeJob::check_coding() const {
-    const TextureFormat format = plan_.coding.format;
-    const auto refuse = [&](std::string_view what, const std::string& why) {
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: {} with pictures in {}: {}; write them in png", command_.out,
-                                what, to_string(format), why));
-    };
-    if (command_.depth == 32 && plan_.kind != ImageKind::rgb_float)
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: --depth 32: only an .exr has 32-bit floats", command_.out));
-    if (format == TextureFormat::png) return;
-    if (plan_.depth == 16 && command_.depth != 32) refuse("--depth 16", "its codes have 8 bits");
-    if (recipe().atlas.size > most_pixels(format) && plan_.kind != ImageKind::rgb_float)
-        refuse(fmt::format("--size {}", recipe().atlas.size),
-               fmt::format("it has at most {} pixels a side", most_pixels(format)));
-    if (format != TextureFormat::jpeg || plan_.kind == ImageKind::rgb_float) return;
-    if (is_transparent(recipe())) refuse("opacity", "it has no alpha");
-    for (const MaterialPicture& picture :
-         material_pictures(recipe(), plan_.packing, plan_.material().rough_levels()))
-        if (picture.components == 4)
-            refuse(fmt::format("the picture {}", picture.name), "it has no alpha");
 }
 
 /// Throws Error(usage) if an option would have no effect.
@@ -288,6 +272,10 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
                       {"recipe", Json::parse(to_json(recipe()))},
                       {"options", settings}};
     if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
+    for (const BakeJob& other : others_) {
+        made_from["recipes"].push_back(other.made_from_["recipe"]);
+        for (const Json& input : other.made_from_["inputs"]) made_from["inputs"].push_back(input);
+    }
     if (recipes_->size() > 1) {
         Sha256 hash;
         for (const Recipe& recipe : *recipes_) hash.add(to_json(recipe));
@@ -296,35 +284,49 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
     return made_from;
 }
 
-Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
-                  double reading, LaterBake later) const {
-    const auto start = Clock::now();
+BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
+                              const std::shared_ptr<KeptScene>& kept, LaterBake later) const {
     for (const Recipe& recipe : *recipes_) check_lattice(recipe, pipeline.mesh());
-    const std::string lost = numbers_in_no_picture(recipe(), plan_.packing);
-    if (!holds_mesh(command_.out) && !lost.empty())
-        warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
-                         lost));
-    if (plan_.depth == 16 && is_gltf(command_.out))
-        warn(
-            fmt::format("{}: viewers cut 16 bits to 8, and those that do not, such as VTK's, show "
-                        "them too light, since OpenGL has no 16-bit sRGB; leave --depth 16 out "
-                        "unless the file goes elsewhere",
-                        command_.out));
     std::optional<MeshPose> pose;
     if (!command_.pose.empty())
         pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
     pipeline.set_threads(command_.threads);
     pipeline.set_kernel(kernel_named(command_.kernel));
     pipeline.set_forward(command_.kernel == forward_kernel);
-    pipeline.set_synthesizer(synthesizer);
+    pipeline.set_synthesizer(std::move(synthesizer));
     pipeline.set_skips(command_.economy.skips());
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
-    const BakeResult result = bake(pipeline, plan_, pose ? &*pose : nullptr, later);
+    BakePlan plan = plan_;
+    plan.kept = kept;
+    if (kept) prepare(*kept, command_.mesh, command_.meshes.read, pictures_);
+    return bake(pipeline, plan, pose ? &*pose : nullptr, later);
+}
+
+Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
+                  double reading, LaterBake later) const {
+    const auto start = Clock::now();
+    const std::string unheld = numbers_in_no_picture(recipe(), plan_.packing);
+    if (!holds_mesh(command_.out) && !unheld.empty())
+        warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
+                         unheld));
+    warn_of_depth();
+    const std::vector<std::string> flat = losses_before();
+    const std::shared_ptr<KeptScene> kept = kept_scene();
+    if (kept) kept->is_last = others_.empty();
+    BakeResult result = bake_into(pipeline, synthesizer, kept, later);
+    if (!kept) result.lost = flat;
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
+    Json others = Json::array();
+    bake_others(kept, result, others);
     seconds["write"] = result.writing;
     seconds["total"] = reading + seconds_since(start);
     Json report = report_of(pipeline, result, synthesizer.get(), std::move(seconds));
+    if (!others.empty()) report["others"] = std::move(others);
+    if (!result.lost.empty()) {
+        report["lost"] = result.lost;
+        warn(fmt::format("{}: {}", command_.out, losses_sentence(result.lost)));
+    }
     write_record(command_.out, made_from_, result.committed, report);
     return report;
 }

@@ -39,6 +39,14 @@ if [ -n "$burl" ]; then
                 >/dev/null 2>&1 || { echo "burl bake failed on $coding, $file"; exit 1; }
         done
     done
+    for source in "$scratch"/kept_*.gltf; do # documents of other programs, baked back into themselves
+        for atlas in quad patch; do
+            "$burl" bake "$source" -o "${source%.gltf}.$atlas.glb" --atlas $atlas --size 128 --recipe hammered \
+                >/dev/null 2>&1 || { echo "burl bake failed on $source, $atlas"; exit 1; }
+        done
+        "$burl" bake "$source" -o "${source%.gltf}.webp.glb" --size 128 --recipe hammered --picture-format webp \
+            >/dev/null 2>&1 || { echo "burl bake failed on $source, webp"; exit 1; }
+    done
     for recipe in "$here"/../../assets/materials/*.json; do
         material=$(basename "$recipe" .json)
         for mesh in torus teapot cad_part; do

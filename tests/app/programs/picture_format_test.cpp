@@ -46,6 +46,22 @@ TEST_F(PictureFormat, WebpInGltfIsARequiredExtension) {
     }
 }
 
+TEST_F(PictureFormat, WebpGoesIntoADocumentThatIsKept) {
+    ASSERT_EQ(bake("source.gltf", "--recipe marble").exit_code, 0);
+    const Outcome outcome = run_burl(
+        scratch_, fmt::format("bake '{}' -o '{}' --size 64 --recipe hammered --picture-format webp",
+                              scratch_ / "source.gltf", scratch_ / "kept.gltf"));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const nlohmann::json json = gltf("kept.gltf");
+    EXPECT_EQ(json["extensionsUsed"], nlohmann::json::array({"EXT_texture_webp"}));
+    EXPECT_EQ(json["extensionsRequired"], nlohmann::json::array({"EXT_texture_webp"}));
+    ASSERT_EQ(json["images"].size(), 2u);
+    for (const nlohmann::json& image : json["images"]) {
+        EXPECT_EQ(image["mimeType"], "image/webp");
+        EXPECT_EQ(slurp(scratch_ / image["uri"].get<std::string>()).substr(8, 4), "WEBP");
+    }
+}
+
 TEST_F(PictureFormat, JpegInGltfNeedsNoExtension) {
     ASSERT_EQ(bake("a.gltf", "--recipe marble --picture-format jpeg:70 --levels 1").exit_code, 0);
     const nlohmann::json json = gltf("a.gltf");
