@@ -76,9 +76,12 @@ ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const Mes
     options.crease_degrees = plan.crease_degrees;
     options.recipe_json = to_json(pipeline.recipe());
     options.recipe_name = pipeline.recipe().name;
+    options.obj = plan.obj;
+    options.tell = [&](const std::string& what) { tell(plan, pipeline.mesh(), what); };
     if (pose)
         options.pose = ExportPose{atlas_pose(*pose, pipeline.mesh(), pipeline.mesh_atlas()),
                                   pipeline.recipe().pose.weight};
+    options.pose_keys = plan.pose_keys;
     return options;
 }
 

@@ -43,8 +43,11 @@ struct BakePlan {
     /// The document that gets the mesh back with its texture; null: the output is a scene of its
     /// own.
     std::shared_ptr<KeptScene> kept{};
+    KeyTrack pose_keys{};  ///< the pose's weight over time, for a scene that holds it
     bool measures = true;  ///< whether the atlas is measured for a report
     int threads = 0;       ///< number of threads for the files; 0: all
+    std::shared_ptr<const KeptObj> obj{};  ///< the mesh's own OBJ, of which an .obj keeps the rest
+    bool vertex_colors = false;            ///< whether colours per point replace the texture
     /// Is told what comes next, and which share of the bake is done, 0 to 1; empty: nobody is.
     std::function<void(const char* next, double share)> reached{};
     /// A request by another thread to stop: bake() then throws Error(runtime) soon. Files of frames

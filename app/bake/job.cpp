@@ -10,6 +10,7 @@
 
 #include "app/bake/report.h"
 #include "app/bake/up_to_date.h"
+#include "app/bake/vertex_colors.h"
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
 #include "app/base/sha256.h"
@@ -19,11 +20,13 @@
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
+#include "app/options/metres.h"
 #include "app/pipeline/fill_texture.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
 
 namespace burl {
 
@@ -80,12 +83,14 @@ BakePlan plan_of(const BakeCommand& command,
     plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
     plan.displaces = command.displace.has_value();
     const std::string& normals =
-        plan.displaces && command.normals.empty() ? "none" : command.normals;
+        (plan.displaces || command.vertex_colors) && command.normals.empty() ? "none"
+                                                                             : command.normals;
     plan.normals = normals_asked(normals, first, command.out);
     plan.normals_down = command.normal_y == "-";
     plan.packing = packing_asked(command.packing, command.out);
     plan.compress = command.compress;
     plan.channels = command.channels;
+    plan.vertex_colors = command.vertex_colors;
     plan.solid_map = command.solid_map;
     plan.shader = command.emitted_glsl;
     plan.threads = command.threads;
@@ -132,7 +137,9 @@ BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
 
 std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     std::vector<std::string> outputs;
-    if (pictures_ != command_.out)
+    if (command_.vertex_colors)
+        outputs = paths_without_texture(command_.out);
+    else if (pictures_ != command_.out)
         outputs = document_outputs(levels);
     else
         for (const std::string& path : plan_.paths)
@@ -175,6 +182,12 @@ void BakeJob::check() const {
                     "none to leave the bumps out");
     check_displacement();
     check_coding();
+    check_vertex_colors();
+    if (!command_.pose.empty() && command_.meshes.read.choice.any())
+        throw Error(
+            ExitCode::usage,
+            "--pose moves the whole mesh, and a choice of its parts some of it; leave one of "
+            "the two out");
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_idle();
 }
@@ -214,8 +227,6 @@ void BakeJob::check_idle() const {
     const bool pictures = normals || !command_.channels.empty();
     if (command_.depth.value_or(32) != 32 && plan_.kind == ImageKind::rgb_float && !pictures)
         refuse("--depth", "an .exr always has floats");
-    if (!command_.picture_format.empty() && plan_.kind == ImageKind::rgb_float && !pictures)
-        refuse("--picture-format", "there is no picture beside the .exr");
     if (command_.normal_y == "-" && !normals) refuse("--normal-y", "there is no normal map");
     if (command_.normal_y == "-" && plan_.normals == NormalSpace::object)
         refuse("--normal-y -", "normals in object space have the mesh's own axes");
@@ -284,12 +295,20 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
     return made_from;
 }
 
+/// The recipe's keys of the pose's weight.
+KeyTrack BakeJob::pose_keys() const {
+    for (const KeyTrack& track : command_.recipe.load_keyed().animation.tracks)
+        if (track.path == "pose.weight") return track;
+    return {};
+}
+
 BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                               const std::shared_ptr<KeptScene>& kept, LaterBake later) const {
-    for (const Recipe& recipe : *recipes_) check_lattice(recipe, pipeline.mesh());
+    std::vector<Recipe> recipes = *recipes_;
+    set_metres(recipes, command_.recipe, command_.meshes.frame, pipeline.mesh());
+    for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
     std::optional<MeshPose> pose;
-    if (!command_.pose.empty())
-        pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
+    if (!command_.pose.empty()) pose = command_.meshes.pose(command_.mesh, command_.pose);
     pipeline.set_threads(command_.threads);
     pipeline.set_kernel(kernel_named(command_.kernel));
     pipeline.set_forward(command_.kernel == forward_kernel);
@@ -297,9 +316,17 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     pipeline.set_skips(command_.economy.skips());
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
     BakePlan plan = plan_;
+    plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
+    if (lower_extension(command_.out) == ".obj" && !command_.displace)
+        plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
     plan.kept = kept;
-    if (kept) prepare(*kept, command_.mesh, command_.meshes.read, pictures_);
-    return bake(pipeline, plan, pose ? &*pose : nullptr, later);
+    if (pose) plan.pose_keys = pose_keys();
+    if (kept)
+        prepare(*kept, command_.mesh, command_.meshes.read, pictures_,
+                frame_transform(command_.meshes.frame));
+    const MeshPose* const posed = pose ? &*pose : nullptr;
+    return plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
+                              : bake(pipeline, plan, posed, later);
 }
 
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
@@ -321,7 +348,8 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     bake_others(kept, result, others);
     seconds["write"] = result.writing;
     seconds["total"] = reading + seconds_since(start);
-    Json report = report_of(pipeline, result, synthesizer.get(), std::move(seconds));
+    Json report =
+        report_of(pipeline, pipeline.recipe(), result, synthesizer.get(), std::move(seconds));
     if (!others.empty()) report["others"] = std::move(others);
     if (!result.lost.empty()) {
         report["lost"] = result.lost;
@@ -332,9 +360,11 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 }
 
 /// The report of a bake, as `burl bake --report` writes it.
-Json BakeJob::report_of(Pipeline& pipeline, const BakeResult& result,
+Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
-    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe(), pipeline, result,
+    if (plan_.vertex_colors)
+        return vertex_colors_json(command_.mesh, outputs(0), recipe, pipeline, std::move(seconds));
+    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe, pipeline, result,
                             std::move(seconds));
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)

@@ -34,7 +34,8 @@ std::vector<std::string> BakeJob::document_outputs(std::uint32_t levels) const {
 
 /// Whether the mesh goes back into the document that it was read from.
 bool BakeJob::kept_document() const {
-    return command_.pose.empty() && !plan_.displaces && keeps_document(command_.mesh, command_.out);
+    return command_.pose.empty() && !plan_.displaces && !plan_.vertex_colors &&
+           keeps_document(command_.mesh, command_.out);
 }
 
 /// The document that the bake goes back to; null where the output is a scene of its own.
@@ -57,7 +58,8 @@ void BakeJob::bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& re
         const auto synthesizer = other.synthesizer();
         const BakeResult one = other.bake_into(pipeline, synthesizer, kept, LaterBake::none);
         Json seconds = {{"read", reading}, {"total", seconds_since(start)}};
-        reports.push_back(other.report_of(pipeline, one, synthesizer.get(), std::move(seconds)));
+        reports.push_back(other.report_of(pipeline, pipeline.recipe(), one, synthesizer.get(),
+                                          std::move(seconds)));
         result.committed.insert(result.committed.end(), one.committed.begin(), one.committed.end());
         result.lost = one.lost;
     }

@@ -20,6 +20,15 @@ void BakeJob::check_coding() const {
     if (command_.depth == 32 && plan_.kind != ImageKind::rgb_float)
         throw Error(ExitCode::usage,
                     fmt::format("{}: --depth 32: only an .exr has 32-bit floats", command_.out));
+    const bool beside = has_normals() || !command_.channels.empty();
+    const bool pictures = holds_mesh(command_.out)
+                              ? holds_colors(command_.out) && !command_.vertex_colors
+                              : plan_.kind != ImageKind::rgb_float || beside;
+    if (!pictures && !command_.picture_format.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --picture-format does nothing: the output has no pictures; "
+                                "leave it out",
+                                command_.out));
     if (format == TextureFormat::png) return;
     if (plan_.depth == 16 && command_.depth != 32) refuse("--depth 16", "its codes have 8 bits");
     if (recipe().atlas.size > most_pixels(format) && plan_.kind != ImageKind::rgb_float)
@@ -33,9 +42,25 @@ void BakeJob::check_coding() const {
             refuse(fmt::format("the picture {}", picture.name), "it has no alpha");
 }
 
+/// Throws Error(usage) where --vertex-colors has no place, or makes another option idle.
+void BakeJob::check_vertex_colors() const {
+    if (!command_.vertex_colors) return;
+    if (!holds_colors(command_.out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
+                                "with colours",
+                                command_.out));
+    for (const RecipeEdit& edit : command_.recipe.edits())
+        if (edit.path.starts_with("atlas."))
+            throw Error(ExitCode::usage,
+                        fmt::format("{} does nothing: --vertex-colors writes no texture; leave one "
+                                    "of the two out",
+                                    edit.said));
+}
+
 /// Warns of 16 bits in a glTF.
 void BakeJob::warn_of_depth() const {
-    if (plan_.depth != 16 || !is_gltf(command_.out)) return;
+    if (plan_.depth != 16 || !is_gltf(command_.out) || command_.vertex_colors) return;
     warn(
         fmt::format("{}: viewers cut 16 bits to 8, and those that do not, such as VTK's, show "
                     "them too light, since OpenGL has no 16-bit sRGB; leave --depth 16 out unless "

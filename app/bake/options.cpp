@@ -107,6 +107,9 @@ void add_pictures(CLI::App& verb, BakeCommand& command) {
                     "Which of a material's channels share a picture: gltf (the default of .glb "
                     "and .gltf), unreal, unity, godot, or separate (the default of the others)")
         ->check(one_of({enum_names<Packing>.begin(), enum_names<Packing>.end()}));
+    verb.add_flag("--vertex-colors", command.vertex_colors,
+                  "Colours of the mesh's points, worked out exactly, in place of a texture and its "
+                  "coordinates");
     verb.add_option("--normal-y", command.normal_y,
                     "Where the green of a normal map points: + (up, glTF, Godot, Unity) or - "
                     "(down, Unreal)")
@@ -205,6 +208,11 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     add_pictures(verb, command);
     add_kernel(verb, command.kernel);
     add_synthesis(verb, command);
+    for (const char* option :
+         {"--levels", "--compress", "--solid-map", "--channels", "--frames", "--normals",
+          "--displace", "--pack", "--depth", "--filter", "--kernel", "--synth", "--gl",
+          "--gl-precision", "--gl-randomizer", "--gl-equalize"})
+        verb.get_option("--vertex-colors")->excludes(verb.get_option(option));
 }
 
 void add_run_options(CLI::App& verb, BakeCommand& command) {

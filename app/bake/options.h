@@ -39,6 +39,7 @@ struct BakeCommand {
     std::string gl_precision, gl_randomizer;  ///< words of multipass_synth; empty: its defaults
     bool gl_equalize = false;
     std::optional<double> compress;
+    bool vertex_colors = false;   ///< colours per point in place of the texture
     std::optional<int> displace;  ///< how often triangles are split before displacement
     /// Recipes for materials of a glTF, GLOB=RECIPE, the first that matches counts.
     std::vector<std::string> assigned;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Format { glb, gltf, obj, picture, exr };
+enum class Format { glb, gltf, obj, ply, stl, picture, exr };
 
 Format format_of(const std::string& path) {
     const std::string extension = lower_extension(path);
@@ -23,13 +23,15 @@ Format format_of(const std::string& path) {
     if (extension == ".glb") return Format::glb;
     if (extension == ".gltf") return Format::gltf;
     if (extension == ".obj") return Format::obj;
+    if (extension == ".ply") return Format::ply;
+    if (extension == ".stl") return Format::stl;
     if (extension == ".exr") return Format::exr;
     const std::string what = extension.empty()
                                  ? "has no extension"
                                  : fmt::format("has the unknown extension '{}'", extension);
     throw Error(ExitCode::usage,
-                fmt::format("{}: the output {}; use .glb, .gltf, .obj, .png, .jpg, .webp, .ktx2 or "
-                            ".exr",
+                fmt::format("{}: the output {}; use .glb, .gltf, .obj, .ply, .stl, .png, .jpg, "
+                            ".webp, .ktx2 or .exr",
                             path, what));
 }
 
@@ -150,6 +152,7 @@ std::vector<std::vector<SceneImage>> scene_textures(const SceneContent& content,
     const std::string name = material_name(content);
     const ExportOptions& options = content.options;
     const PictureCoding& coding = options.coding;
+    if (!options.vertex_colors.empty()) return {};
     std::vector<std::vector<SceneImage>> textures{
         texture_of(name, color, content.image, options.levels, coding, PngContent::color)};
     if (const auto& normals = options.normals)
@@ -180,9 +183,11 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
     const auto beside = [&](std::string_view extension) {
         paths.push_back(path_beside(out_path, extension));
     };
+    if (out == Format::stl) return paths;
     if (out == Format::gltf) beside(".bin");
     if (out == Format::obj) beside(".mtl");
-    if (out == Format::gltf || out == Format::obj) beside(extension_of(format));
+    if (out == Format::gltf || out == Format::obj || out == Format::ply)
+        beside(extension_of(format));
     const bool holds_levels = out == Format::glb || out == Format::exr;
     if (holds_levels || format == TextureFormat::ktx2) levels = 0;
     const auto add_levels = [&](const std::string& path) {
@@ -203,6 +208,14 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
     return paths;
 }
 
+std::vector<std::string> paths_without_texture(const std::string& out_path) {
+    std::vector<std::string> paths = output_paths(out_path);
+    std::erase_if(paths, [&](const std::string& path) {
+        return path != out_path && texture_format_of(path);
+    });
+    return paths;
+}
+
 bool holds_mesh(const std::string& out_path) {
     const Format format = format_of(out_path);
     return format != Format::picture && format != Format::exr;
@@ -211,6 +224,10 @@ bool holds_mesh(const std::string& out_path) {
 bool is_gltf(const std::string& out_path) {
     const Format format = format_of(out_path);
     return format == Format::glb || format == Format::gltf;
+}
+
+bool holds_colors(const std::string& out_path) {
+    return holds_mesh(out_path) && format_of(out_path) != Format::stl;
 }
 
 ImageKind wanted_kind(const std::string& out_path, int depth) {
@@ -225,8 +242,11 @@ std::vector<AtomicFile> scene_files(const std::string& out_path, const Mesh& mes
     const Format format = format_of(out_path);
     if (format == Format::gltf) return write_gltf(content);
     if (format == Format::obj) return write_obj(content);
+    if (format == Format::ply) return write_ply(content);
     std::vector<AtomicFile> files;
-    if (format == Format::picture) {
+    if (format == Format::stl) {
+        files.push_back(write_stl(content));
+    } else if (format == Format::picture) {
         add_images(files, content, out_path);
     } else if (format == Format::exr) {
         if (const auto& normals = content.options.normals)

@@ -60,4 +60,12 @@ std::vector<AtomicFile> write_gltf(const SceneContent& content);
 /// Error(io).
 std::vector<AtomicFile> write_obj(const SceneContent& content);
 
+/// Writes the .ply file, binary, in the pose if there is one, and the images beside it. Further
+/// placements of a part are copies. Throws Error(io).
+std::vector<AtomicFile> write_ply(const SceneContent& content);
+
+/// Writes the surface as a binary .stl file, in the pose if there is one. Throws Error: io, or
+/// unsupported for points beyond the range of 32-bit floats.
+AtomicFile write_stl(const SceneContent& content);
+
 }  // namespace burl

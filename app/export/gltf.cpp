@@ -56,9 +56,15 @@ std::vector<PartVertices> vertices_of(const SceneContent& content) {
         uvs = corner_uvs(atlas);
         tangents = corner_tangents(mesh.positions, mesh.triangles, uvs, normals);
     }
-    if (!options.pose) return export_vertices(mesh, atlas, normals, tangents);
-    const PosedCorners posed = posed_corners(mesh, options.pose->corners, normals, uvs);
-    return export_vertices(mesh, atlas, normals, tangents, &posed);
+    std::optional<PosedCorners> posed;
+    if (options.pose) posed = posed_corners(mesh, options.pose->corners, normals, uvs);
+    std::vector<PartVertices> parts =
+        export_vertices(mesh, atlas, normals, tangents, posed ? &*posed : nullptr);
+    if (options.vertex_colors.empty()) return parts;
+    for (PartVertices& part : parts)
+        for (const std::uint32_t point : part.points)
+            part.colors.push_back(options.vertex_colors[point]);
+    return parts;
 }
 
 }  // namespace

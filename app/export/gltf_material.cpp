@@ -2,6 +2,8 @@
 // is left out.
 #include "app/export/gltf_material.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "procedural/color/srgb.h"
@@ -36,6 +38,10 @@ Json extensions(const Material& m) {
     return json;
 }
 
+bool are_opaque(const std::vector<Vec4f>& colors) {
+    return std::ranges::all_of(colors, [](const Vec4f& color) { return color.a >= 1.0f; });
+}
+
 }  // namespace
 
 Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
@@ -51,9 +57,11 @@ Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
                 {"metallicFactor", m.metallic},
                 {"roughnessFactor", m.roughness}}},
               {"doubleSided", true}};
+    if (!content.options.vertex_colors.empty())
+        json["pbrMetallicRoughness"].erase("baseColorTexture");
     if (content.options.normals) json["normalTexture"] = texture_info(1);
     if (m.emissive != Rgb8{}) json["emissiveFactor"] = light(m.emissive);
-    if (has_alpha(content.image)) {
+    if (has_alpha(content.image) || !are_opaque(content.options.vertex_colors)) {
         const bool mask = m.alpha == AlphaMode::mask;
         json["alphaMode"] = mask ? "MASK" : "BLEND";
         if (mask) json["alphaCutoff"] = m.alpha_cutoff;
@@ -97,7 +105,7 @@ void add_material(Json& document, const SceneContent& content) {
         document["extensionsRequired"].push_back(required);
     }
     document["materials"] = Json::array({std::move(one)});
-    document["textures"] = gltf_textures(content, {});
+    if (content.options.vertex_colors.empty()) document["textures"] = gltf_textures(content, {});
 }
 
 }  // namespace burl

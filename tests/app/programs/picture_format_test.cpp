@@ -97,7 +97,8 @@ TEST_F(PictureFormat, WhatTheFormatHasNotIsRefusedBeforeTheWork) {
     expect_refused("a.ktx2", "--depth 16", "8 bits");
     expect_refused("a.png", "--depth 32", "only an .exr");
     expect_refused("a.webp", "--size 16384", "16383");
-    expect_refused("a.exr", "--picture-format webp", "no picture beside");
+    expect_refused("a.exr", "--picture-format webp", "has no pictures");
+    expect_refused("a.stl", "--picture-format jpeg", "has no pictures");
     const std::string clear = R"(--set 'material.opacity={"node": "fbm"}')";
     expect_refused("a.jpg", clear, "alpha");
     expect_refused("a.obj", "--recipe oak --pack unity --picture-format jpeg", "mask");
