@@ -171,8 +171,8 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     const Mesh& rest = pipeline.atlas_mesh();
     tbb::task_arena arena(threads_of(plan));
     std::vector<AtomicFile> files = arena.execute([&] {
-        const SceneContent content{path, rest, atlas, baked.image, options};
-        if (plan.kept) return files_of_kept(pipeline, *plan.kept, content);
+        if (plan.kept)
+            return files_of_kept(pipeline, *plan.kept, {path, rest, atlas, baked.image, options});
         if (!plan.displaces) return scene_files(path, rest, atlas, baked.image, options);
         return scene_files(path, displaced_mesh(rest, pipeline.recipe(), pipeline.mesh()), atlas,
                            baked.image, options);

@@ -151,8 +151,8 @@ std::vector<std::vector<SceneImage>> scene_textures(const SceneContent& content,
                                                     const std::string& color) {
     const std::string name = material_name(content);
     const ExportOptions& options = content.options;
-    const PictureCoding& coding = options.coding;
     if (!options.vertex_colors.empty()) return {};
+    const PictureCoding& coding = options.coding;
     std::vector<std::vector<SceneImage>> textures{
         texture_of(name, color, content.image, options.levels, coding, PngContent::color)};
     if (const auto& normals = options.normals)

@@ -3,6 +3,7 @@
 // are those of the floats written, and every byte goes through AtomicFile.
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 #include <nlohmann/json.hpp>

@@ -76,17 +76,13 @@ Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
     return json;
 }
 
-const char* gltf_extension(TextureFormat format) {
-    return format == TextureFormat::webp ? "EXT_texture_webp" : nullptr;
-}
-
 Json gltf_textures(const SceneContent& content, const GltfPlaces& places) {
-    const char* const extension = gltf_extension(content.options.coding.format);
+    const bool webp = content.options.coding.format == TextureFormat::webp;
     Json result = Json::array();
     std::size_t image = places.images;
     for (const std::vector<SceneImage>& texture : scene_textures(content, "")) {
         Json json{{"sampler", places.sampler}};
-        (extension ? json["extensions"][extension] : json)["source"] = image;
+        (webp ? json["extensions"][webp_extension] : json)["source"] = image;
         for (std::size_t l = 1; l < texture.size(); ++l)
             json["extras"]["burl_levels"].push_back(image + l);
         image += texture.size();
@@ -100,9 +96,9 @@ void add_material(Json& document, const SceneContent& content) {
     if (one.contains("extensions"))
         for (const auto& item : one["extensions"].items())
             document["extensionsUsed"].push_back(item.key());
-    if (const char* required = gltf_extension(content.options.coding.format)) {
-        document["extensionsUsed"].push_back(required);
-        document["extensionsRequired"].push_back(required);
+    if (content.options.coding.format == TextureFormat::webp) {
+        document["extensionsUsed"].push_back(webp_extension);
+        document["extensionsRequired"].push_back(webp_extension);
     }
     document["materials"] = Json::array({std::move(one)});
     if (content.options.vertex_colors.empty()) document["textures"] = gltf_textures(content, {});

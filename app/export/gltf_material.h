@@ -6,6 +6,9 @@
 
 namespace burl {
 
+/// The extension that textures of WebP pictures need.
+inline constexpr const char* webp_extension = "EXT_texture_webp";
+
 /// Numbers in a document from which on the content's things are.
 struct GltfPlaces {
     std::size_t textures = 0, images = 0;  ///< the first texture and image
@@ -17,12 +20,8 @@ struct GltfPlaces {
 /// meshes with inconsistent winding look whole.
 nlohmann::ordered_json gltf_material(const SceneContent& content, const GltfPlaces& places);
 
-/// The extension that readers need for textures of the format; null: none.
-const char* gltf_extension(TextureFormat format);
-
 /// The textures, whose images (scene_textures) follow one another, each followed by its MIP levels,
-/// which extras.burl_levels lists. Where gltf_extension() names one, they are that extension's,
-/// without a picture in another format to fall back on.
+/// which extras.burl_levels lists.
 nlohmann::ordered_json gltf_textures(const SceneContent& content, const GltfPlaces& places);
 
 /// Adds the material, its textures (scene_textures) and the extensions used to the document. Images

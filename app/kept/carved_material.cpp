@@ -1,6 +1,7 @@
 #include "app/kept/carved_material.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -29,13 +30,17 @@ CarvedMaterial::CarvedMaterial(KeptDocument& document, const SceneContent& conte
         pictures.empty() ? "" : path_beside(pictures, extension_of(content.options.coding.format));
     for (const std::vector<SceneImage>& texture : scene_textures(named, color))
         for (const SceneImage& image : texture) add_image(image);
+    if (content.options.coding.format == TextureFormat::webp) {
+        document.use_extension(webp_extension);
+        Json& required = array_of(document.json, "extensionsRequired");
+        if (std::ranges::find(required, Json(webp_extension)) == required.end())
+            required.push_back(webp_extension);
+    }
     Json& textures = array_of(document.json, "textures");
     first_texture_ = textures.size();
     const std::size_t sampler = add_sampler();
     for (Json& texture : gltf_textures(named, {first_texture_, first_image, sampler}))
         textures.push_back(std::move(texture));
-    if (const char* extension = gltf_extension(content.options.coding.format))
-        document.require_extension(extension);
 }
 
 void CarvedMaterial::add_image(const SceneImage& image) {

@@ -177,12 +177,6 @@ void KeptDocument::use_extension(const std::string& name) {
     if (std::ranges::find(used, Json(name)) == used.end()) used.push_back(name);
 }
 
-void KeptDocument::require_extension(const std::string& name) {
-    use_extension(name);
-    Json& required = json["extensionsRequired"];
-    if (std::ranges::find(required, Json(name)) == required.end()) required.push_back(name);
-}
-
 void KeptDocument::forget_extension(const std::string& name) {
     if (!json.contains("extensionsUsed")) return;
     Json& used = json["extensionsUsed"];

@@ -77,8 +77,6 @@ class KeptDocument {
     /// Adds an extension to the list of those used, or takes it from there.
     void use_extension(const std::string& name);
     void forget_extension(const std::string& name);
-    /// Adds an extension to the lists of those used and required.
-    void require_extension(const std::string& name);
 
     /// Whether all extensions are among those whose references are known, so that indices may
     /// change.

@@ -32,13 +32,6 @@ if [ -n "$burl" ]; then
         "$burl" bake "$meshes/king.obj" -o "$scratch/bumps.$atlas.glb" --atlas $atlas --size 512 --recipe hammered \
             >/dev/null 2>&1 || { echo "burl bake failed on bumps, $atlas"; exit 1; }
     done
-    for coding in jpeg webp webp:80; do
-        for file in glb gltf; do
-            "$burl" bake "$meshes/king.obj" -o "$scratch/pictures.$(echo $coding | tr : .).$file" --size 256 --levels 3 \
-                --recipe brushed-steel --picture-format $coding \
-                >/dev/null 2>&1 || { echo "burl bake failed on $coding, $file"; exit 1; }
-        done
-    done
     for source in "$scratch"/kept_*.gltf; do # documents of other programs, baked back into themselves
         for atlas in quad patch; do
             "$burl" bake "$source" -o "${source%.gltf}.$atlas.glb" --atlas $atlas --size 128 --recipe hammered \
@@ -46,6 +39,13 @@ if [ -n "$burl" ]; then
         done
         "$burl" bake "$source" -o "${source%.gltf}.webp.glb" --size 128 --recipe hammered --picture-format webp \
             >/dev/null 2>&1 || { echo "burl bake failed on $source, webp"; exit 1; }
+    done
+    for coding in jpeg webp webp:80; do
+        for file in glb gltf; do
+            "$burl" bake "$meshes/king.obj" -o "$scratch/pictures.$(echo $coding | tr : .).$file" --size 256 --levels 3 \
+                --recipe brushed-steel --picture-format $coding \
+                >/dev/null 2>&1 || { echo "burl bake failed on $coding, $file"; exit 1; }
+        done
     done
     for recipe in "$here"/../../assets/materials/*.json; do
         material=$(basename "$recipe" .json)
