@@ -180,13 +180,13 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
+    check_coding();
     check_vertex_colors();
     if (!command_.pose.empty() && command_.meshes.read.choice.any())
         throw Error(
             ExitCode::usage,
             "--pose moves the whole mesh, and a choice of its parts some of it; leave one of "
             "the two out");
-    check_coding();
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_idle();
 }
@@ -211,8 +211,6 @@ void BakeJob::check_idle() const {
     const bool pictures = normals || !command_.channels.empty();
     if (command_.depth.value_or(32) != 32 && plan_.kind == ImageKind::rgb_float && !pictures)
         refuse("--depth", "an .exr always has floats");
-    if (!command_.picture_format.empty() && plan_.kind == ImageKind::rgb_float && !pictures)
-        refuse("--picture-format", "there is no picture beside the .exr");
     if (command_.normal_y == "-" && !normals) refuse("--normal-y", "there is no normal map");
     if (command_.normal_y == "-" && plan_.normals == NormalSpace::object)
         refuse("--normal-y -", "normals in object space have the mesh's own axes");
@@ -322,12 +320,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     if (!holds_mesh(command_.out) && !unheld.empty())
         warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
                          unheld));
-    if (plan_.depth == 16 && is_gltf(command_.out))
-        warn(
-            fmt::format("{}: viewers cut 16 bits to 8, and those that do not, such as VTK's, show "
-                        "them too light, since OpenGL has no 16-bit sRGB; leave --depth 16 out "
-                        "unless the file goes elsewhere",
-                        command_.out));
+    warn_of_depth();
     const std::vector<std::string> flat = losses_before();
     const std::shared_ptr<KeptScene> kept = kept_scene();
     if (kept) kept->is_last = others_.empty();

@@ -23,6 +23,8 @@ Format format_of(const std::string& path) {
     if (extension == ".glb") return Format::glb;
     if (extension == ".gltf") return Format::gltf;
     if (extension == ".obj") return Format::obj;
+    if (extension == ".ply") return Format::ply;
+    if (extension == ".stl") return Format::stl;
     if (extension == ".exr") return Format::exr;
     const std::string what = extension.empty()
                                  ? "has no extension"
@@ -181,11 +183,11 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
     const auto beside = [&](std::string_view extension) {
         paths.push_back(path_beside(out_path, extension));
     };
+    if (out == Format::stl) return paths;
     if (out == Format::gltf) beside(".bin");
     if (out == Format::obj) beside(".mtl");
     if (out == Format::gltf || out == Format::obj || out == Format::ply)
         beside(extension_of(format));
-    if (out == Format::stl) return paths;
     const bool holds_levels = out == Format::glb || out == Format::exr;
     if (holds_levels || format == TextureFormat::ktx2) levels = 0;
     const auto add_levels = [&](const std::string& path) {
@@ -209,7 +211,7 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
 std::vector<std::string> paths_without_texture(const std::string& out_path) {
     std::vector<std::string> paths = output_paths(out_path);
     std::erase_if(paths, [&](const std::string& path) {
-        return path != out_path && lower_extension(path) == ".png";
+        return path != out_path && texture_format_of(path);
     });
     return paths;
 }

@@ -46,6 +46,22 @@ TEST_F(PictureFormat, WebpInGltfIsARequiredExtension) {
     }
 }
 
+TEST_F(PictureFormat, WebpGoesIntoADocumentThatIsKept) {
+    ASSERT_EQ(bake("source.gltf", "--recipe marble").exit_code, 0);
+    const Outcome outcome = run_burl(
+        scratch_, fmt::format("bake '{}' -o '{}' --size 64 --recipe hammered --picture-format webp",
+                              scratch_ / "source.gltf", scratch_ / "kept.gltf"));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const nlohmann::json json = gltf("kept.gltf");
+    EXPECT_EQ(json["extensionsUsed"], nlohmann::json::array({"EXT_texture_webp"}));
+    EXPECT_EQ(json["extensionsRequired"], nlohmann::json::array({"EXT_texture_webp"}));
+    ASSERT_EQ(json["images"].size(), 2u);
+    for (const nlohmann::json& image : json["images"]) {
+        EXPECT_EQ(image["mimeType"], "image/webp");
+        EXPECT_EQ(slurp(scratch_ / image["uri"].get<std::string>()).substr(8, 4), "WEBP");
+    }
+}
+
 TEST_F(PictureFormat, JpegInGltfNeedsNoExtension) {
     ASSERT_EQ(bake("a.gltf", "--recipe marble --picture-format jpeg:70 --levels 1").exit_code, 0);
     const nlohmann::json json = gltf("a.gltf");
@@ -81,7 +97,8 @@ TEST_F(PictureFormat, WhatTheFormatHasNotIsRefusedBeforeTheWork) {
     expect_refused("a.ktx2", "--depth 16", "8 bits");
     expect_refused("a.png", "--depth 32", "only an .exr");
     expect_refused("a.webp", "--size 16384", "16383");
-    expect_refused("a.exr", "--picture-format webp", "no picture beside");
+    expect_refused("a.exr", "--picture-format webp", "has no pictures");
+    expect_refused("a.stl", "--picture-format jpeg", "has no pictures");
     const std::string clear = R"(--set 'material.opacity={"node": "fbm"}')";
     expect_refused("a.jpg", clear, "alpha");
     expect_refused("a.obj", "--recipe oak --pack unity --picture-format jpeg", "mask");
