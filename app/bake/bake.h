@@ -11,6 +11,7 @@
 #include "app/bake/material.h"
 #include "app/bake/texture.h"
 #include "app/export/export.h"
+#include "app/kept/scene.h"
 #include "app/pipeline/pipeline.h"
 #include "atlas/measure/atlas_measures.h"
 
@@ -30,13 +31,16 @@ struct BakePlan {
     double crease_degrees = 40.0;      ///< crease angle of computed normals (app/surface/normals.h)
     LevelsAsked levels{};
     NormalSpace normals = NormalSpace::none;
-    bool normals_down = false;             ///< whether a normal map's green points down
-    Packing packing = Packing::gltf;       ///< which of a material's channels share a picture
-    bool displaces = false;                ///< whether the exported mesh is moved by the height
-    std::optional<double> compress{};      ///< the largest error of --compress (app/bake/texture.h)
-    std::string solid_map{};               ///< path of the solid map; empty: none
-    std::string shader{};                  ///< path of the texture as GLSL; empty: none
-    std::vector<std::string> channels{};   ///< masks written beside (app/pipeline/mask_picture.h)
+    bool normals_down = false;            ///< whether a normal map's green points down
+    Packing packing = Packing::gltf;      ///< which of a material's channels share a picture
+    bool displaces = false;               ///< whether the exported mesh is moved by the height
+    std::optional<double> compress{};     ///< the largest error of --compress (app/bake/texture.h)
+    std::string solid_map{};              ///< path of the solid map; empty: none
+    std::string shader{};                 ///< path of the texture as GLSL; empty: none
+    std::vector<std::string> channels{};  ///< masks written beside (app/pipeline/mask_picture.h)
+    /// The document that gets the mesh back with its texture; null: the output is a scene of its
+    /// own.
+    std::shared_ptr<KeptScene> kept{};
     bool measures = true;                  ///< whether the atlas is measured for a report
     int threads = 0;                       ///< number of threads for the solid map; 0: all
     std::shared_ptr<const KeptObj> obj{};  ///< the mesh's own OBJ, of which an .obj keeps the rest
@@ -65,6 +69,7 @@ struct BakeResult {
     std::optional<NormalMap> normals{};
     BakedAtlas texture{};  ///< texture; empty if it was written in bands (comes_in_bands)
     std::optional<Vec3d> solid_base;  ///< solid map's base (app/export/emit.h)
+    std::vector<std::string> lost{};  ///< what of the mesh's document the output does not hold
     double writing = 0.0;             ///< seconds spent on files rather than on stages
 };
 

@@ -116,10 +116,18 @@ MultipassOptions multipass_options(const BakeCommand& command) {
 }  // namespace
 
 BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
-    : command_(command),
-      recipes_(recipes_of(command)),
-      plan_(plan_of(command, recipes_)),
-      inputs_(files_read(command, recipe())) {
+    : BakeJob(groups_of(command), settings) {}
+
+BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
+    : command_(groups.front().command),
+      pictures_(groups.front().pictures),
+      recipes_(recipes_of(command_)),
+      plan_(plan_of(command_, recipes_)),
+      inputs_(files_read(command_, recipe())) {
+    for (std::size_t g = 1; g < groups.size(); ++g) {
+        others_.push_back(BakeJob({groups[g]}, settings));
+        std::ranges::copy(others_.back().inputs_, std::back_inserter(inputs_));
+    }
     check();
     if (command_.kernel == forward_kernel) std::ranges::for_each(*recipes_, check_forward);
     made_from_ = what_it_is_made_from(settings);
@@ -127,13 +135,13 @@ BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
 
 std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     std::vector<std::string> outputs;
-    if (command_.vertex_colors) outputs = paths_without_texture(command_.out);
-    for (const std::string& path :
-         command_.vertex_colors ? std::vector<std::string>() : plan_.paths)
-        std::ranges::move(
-            output_paths(path, levels, has_normals(), picture_names(recipe(), plan_.material()),
-                         plan_.material().rough_levels()),
-            std::back_inserter(outputs));
+    if (command_.vertex_colors)
+        outputs = paths_without_texture(command_.out);
+    else if (pictures_ != command_.out)
+        outputs = document_outputs(levels);
+    else
+        for (const std::string& path : plan_.paths)
+            std::ranges::move(paths_of(path, levels), std::back_inserter(outputs));
     for (const std::string& name : command_.channels)
         outputs.push_back(picture_path(command_.out, name));
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
@@ -171,10 +179,11 @@ void BakeJob::check() const {
                     "none to leave the bumps out");
     check_displacement();
     check_vertex_colors();
-    if (!command_.pose.empty() && !command_.meshes.materials.empty())
-        throw Error(ExitCode::usage,
-                    "--pose moves the whole mesh, and --material chooses some of it; leave one of "
-                    "the two out");
+    if (!command_.pose.empty() && command_.meshes.read.choice.any())
+        throw Error(
+            ExitCode::usage,
+            "--pose moves the whole mesh, and a choice of its parts some of it; leave one of "
+            "the two out");
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_idle();
 }
@@ -286,6 +295,10 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
                       {"recipe", Json::parse(to_json(recipe()))},
                       {"options", settings}};
     if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
+    for (const BakeJob& other : others_) {
+        made_from["recipes"].push_back(other.made_from_["recipe"]);
+        for (const Json& input : other.made_from_["inputs"]) made_from["inputs"].push_back(input);
+    }
     if (recipes_->size() > 1) {
         Sha256 hash;
         for (const Recipe& recipe : *recipes_) hash.add(to_json(recipe));
@@ -294,37 +307,57 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
     return made_from;
 }
 
-Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
-                  double reading, LaterBake later) const {
-    const auto start = Clock::now();
-    const std::string lost = numbers_in_no_picture(recipe(), plan_.packing);
-    if (!holds_mesh(command_.out) && !lost.empty())
-        warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
-                         lost));
+BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
+                              const std::shared_ptr<KeptScene>& kept, LaterBake later) const {
     std::vector<Recipe> recipes = *recipes_;
     set_metres(recipes, command_.recipe, command_.meshes.frame, pipeline.mesh());
     for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
-    BakePlan plan = plan_;
-    if (lower_extension(command_.out) == ".obj" && !command_.displace)
-        plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
-    plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
     std::optional<MeshPose> pose;
     if (!command_.pose.empty()) pose = command_.meshes.pose(command_.mesh, command_.pose);
     pipeline.set_threads(command_.threads);
     pipeline.set_kernel(kernel_named(command_.kernel));
     pipeline.set_forward(command_.kernel == forward_kernel);
-    pipeline.set_synthesizer(synthesizer);
+    pipeline.set_synthesizer(std::move(synthesizer));
     pipeline.set_skips(command_.economy.skips());
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
+    BakePlan plan = plan_;
+    plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
+    if (lower_extension(command_.out) == ".obj" && !command_.displace)
+        plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
+    plan.kept = kept;
+    if (kept)
+        prepare(*kept, command_.mesh, command_.meshes.read, pictures_,
+                frame_transform(command_.meshes.frame));
     const MeshPose* const posed = pose ? &*pose : nullptr;
-    const BakeResult result = plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
-                                                 : bake(pipeline, plan, posed, later);
+    return plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
+                              : bake(pipeline, plan, posed, later);
+}
+
+Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
+                  double reading, LaterBake later) const {
+    const auto start = Clock::now();
+    const std::string unheld = numbers_in_no_picture(recipe(), plan_.packing);
+    if (!holds_mesh(command_.out) && !unheld.empty())
+        warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
+                         unheld));
+    const std::vector<std::string> flat = losses_before();
+    const std::shared_ptr<KeptScene> kept = kept_scene();
+    if (kept) kept->is_last = others_.empty();
+    BakeResult result = bake_into(pipeline, synthesizer, kept, later);
+    if (!kept) result.lost = flat;
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
+    Json others = Json::array();
+    bake_others(kept, result, others);
     seconds["write"] = result.writing;
     seconds["total"] = reading + seconds_since(start);
     Json report =
-        report_of(pipeline, recipes.front(), result, synthesizer.get(), std::move(seconds));
+        report_of(pipeline, pipeline.recipe(), result, synthesizer.get(), std::move(seconds));
+    if (!others.empty()) report["others"] = std::move(others);
+    if (!result.lost.empty()) {
+        report["lost"] = result.lost;
+        warn(fmt::format("{}: {}", command_.out, losses_sentence(result.lost)));
+    }
     write_record(command_.out, made_from_, result.committed, report);
     return report;
 }

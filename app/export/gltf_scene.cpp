@@ -92,8 +92,8 @@ std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indi
 
 /// The accessors of one part's arrays.
 struct PrimitiveIds {
-    std::size_t position, normal, indices;
-    std::optional<std::size_t> uv, color, block, tangent;
+    std::size_t position = 0, normal = 0, indices = 0;
+    std::optional<std::size_t> uv{}, color{}, block{}, tangent{};
     Json target{};  ///< the morph target's accessors; null: none
 };
 
@@ -155,21 +155,17 @@ Json add_target(GltfScene& scene, const VertexTarget& target) {
 }
 
 PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
-    PrimitiveIds ids{add_positions(scene, v.positions),
-                     add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float,
-                                  v.normals.size(), "VEC3"),
-                     add_indices(scene, v.indices, v.positions.size()),
-                     std::nullopt,
-                     std::nullopt,
-                     std::nullopt,
-                     std::nullopt,
-                     {}};
+    PrimitiveIds ids;
+    ids.position = add_positions(scene, v.positions);
+    ids.normal = add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float,
+                              v.normals.size(), "VEC3");
     if (!v.uvs.empty())
         ids.uv =
             add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2");
     if (!v.colors.empty())
         ids.color = add_accessor(scene, as_bytes(v.colors), gl_array_buffer, gl_float,
                                  v.colors.size(), "VEC4");
+    ids.indices = add_indices(scene, v.indices, v.positions.size());
     if (!v.tangents.empty())
         ids.tangent = add_accessor(scene, as_bytes(v.tangents), gl_array_buffer, gl_float,
                                    v.tangents.size(), "VEC4");
@@ -216,22 +212,14 @@ void add_part(GltfScene& scene, const SceneContent& content, const PartVertices&
     }
 }
 
-Json asset(const SceneContent& content) {
-    const AtlasOptions& atlas = content.atlas.options;
-    const std::string& recipe = content.options.recipe_json;
-    Json burl = Json::object();
-    if (content.options.vertex_colors.empty())
-        burl = {{"atlas", to_string(atlas.kind)},
-                {"overscan", to_string(atlas.overscan)},
-                {"size", atlas.size}};
-    if (atlas.kind == AtlasKind::quad) burl["weight"] = to_string(atlas.weight);
-    if (!recipe.empty()) burl["recipe"] = recipe;
-    return {{"version", "2.0"},
-            {"generator", "Burl " BURL_VERSION},
-            {"extras", {{"burl", std::move(burl)}}}};
+}  // namespace
+
+TextureFilter baked_filter(const AtlasOptions& atlas) {
+    if (atlas.overscan == Overscan::nearest) return TextureFilter::nearest;
+    return atlas.kind == AtlasKind::patch ? TextureFilter::mip : TextureFilter::linear;
 }
 
-Json sampler(const AtlasOptions& atlas) {
+nlohmann::ordered_json gltf_sampler(const AtlasOptions& atlas) {
     const TextureFilter wanted = baked_filter(atlas);
     const int filter = wanted == TextureFilter::nearest ? gl_nearest : gl_linear;
     const bool levels = wanted == TextureFilter::mip;
@@ -241,11 +229,17 @@ Json sampler(const AtlasOptions& atlas) {
             {"wrapT", int(gl_clamp_to_edge)}};
 }
 
-}  // namespace
-
-TextureFilter baked_filter(const AtlasOptions& atlas) {
-    if (atlas.overscan == Overscan::nearest) return TextureFilter::nearest;
-    return atlas.kind == AtlasKind::patch ? TextureFilter::mip : TextureFilter::linear;
+nlohmann::ordered_json burl_extras(const SceneContent& content) {
+    const AtlasOptions& atlas = content.atlas.options;
+    const std::string& recipe = content.options.recipe_json;
+    Json burl = Json::object();
+    if (content.options.vertex_colors.empty())
+        burl = {{"atlas", to_string(atlas.kind)},
+                {"overscan", to_string(atlas.overscan)},
+                {"size", atlas.size}};
+    if (atlas.kind == AtlasKind::quad) burl["weight"] = to_string(atlas.weight);
+    if (!recipe.empty()) burl["recipe"] = recipe;
+    return burl;
 }
 
 std::span<const std::uint8_t> padding_after(std::uint64_t bytes) {
@@ -255,7 +249,9 @@ std::span<const std::uint8_t> padding_after(std::uint64_t bytes) {
 
 GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVertices> vertices) {
     GltfScene scene;
-    scene.json["asset"] = asset(content);
+    scene.json["asset"] = {{"version", "2.0"},
+                           {"generator", "Burl " BURL_VERSION},
+                           {"extras", {{"burl", burl_extras(content)}}}};
     scene.json["scene"] = 0;
     scene.json["scenes"] = Json::array({{{"nodes", Json::array()}}});
     for (const char* array : {"nodes", "meshes", "accessors", "bufferViews"}) {
@@ -265,7 +261,7 @@ GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVert
     for (const PartVertices& part : vertices) add_part(scene, content, part, names);
     add_material(scene.json, content);
     if (content.options.vertex_colors.empty())
-        scene.json["samplers"] = Json::array({sampler(content.atlas.options)});
+        scene.json["samplers"] = Json::array({gltf_sampler(content.atlas.options)});
     return scene;
 }
 

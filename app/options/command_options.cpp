@@ -108,13 +108,9 @@ Vec3d parse_turns(const std::string& text) {
 }
 
 /// The faces of the mesh whose material one of the patterns fits. Throws Error(usage) where one
-/// fits none, and for a mesh that is not an OBJ.
+/// fits none.
 Mesh of_materials(const std::string& path, const Mesh& mesh,
                   const std::vector<std::string>& patterns) {
-    if (!is_sample_mesh(path) && lower_extension(path) != ".obj")
-        throw Error(
-            ExitCode::usage,
-            fmt::format("--material chooses by the usemtl of an OBJ, and {} is none", path));
     const ObjSource source = read_obj_source(mesh_bytes(path));
     const std::vector<char> chosen = faces_of_materials(source, patterns);
     if (mesh.triangles.empty() || mesh.source_faces.back() >= chosen.size())
@@ -242,8 +238,8 @@ void MeshOptions::add(CLI::App& verb) {
         ->check(in_range(0.0, 0.1));
     verb.add_flag("--unshare-instances", read.unshare_instances,
                   "Bake each glTF instance by itself, in scene space");
-    verb.add_option("--material", materials,
-                    "Faces of an OBJ to texture, by the names of their materials (usemtl), with * "
+    verb.add_option("--material", read.choice.materials,
+                    "Faces of an OBJ or glTF to texture, by the names of their materials, with * "
                     "and ?; may be repeated; left out: all")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -268,14 +264,49 @@ void MeshOptions::add_frame(CLI::App& verb) {
         ->check(one_of({enum_names<LengthUnit>.begin(), enum_names<LengthUnit>.end()}));
 }
 
+void MeshOptions::add_choice(CLI::App& verb) {
+    // Manifests of `burl batch` call the mesh's file "mesh".
+    verb.add_option("--only-mesh,--mesh", read.choice.meshes,
+                    "Meshes of a glTF to texture, by their names, with * and ?; may be repeated")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    verb.add_option("--node", read.choice.nodes,
+                    "Nodes of a glTF to texture, with all below them, in the same way")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+namespace {
+
+/// Throws Error(usage) where names are chosen that the mesh's format does not have.
+void check_choice(const GltfChoice& choice, const std::string& path) {
+    const bool gltf = !is_sample_mesh(path) && has_gltf_extension(path);
+    const bool obj = is_sample_mesh(path) || lower_extension(path) == ".obj";
+    if (!gltf && (!choice.meshes.empty() || !choice.nodes.empty()))
+        throw Error(ExitCode::usage,
+                    fmt::format("--mesh and --node choose parts of a glTF, and {} is none; leave "
+                                "them out",
+                                path));
+    if (!gltf && !obj && !choice.materials.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("--material chooses by the materials of an OBJ or glTF, and {} is "
+                                "neither; leave it out",
+                                path));
+}
+
+}  // namespace
+
 Mesh MeshOptions::load(const std::string& path) const {
+    check_choice(read.choice, path);
     if (read.unshare_instances && (is_sample_mesh(path) || !has_gltf_extension(path)))
         throw Error(ExitCode::usage,
                     fmt::format("--unshare-instances: {} is no glTF and has no instances; leave it "
                                 "out",
                                 path));
     Mesh mesh = is_sample_mesh(path) ? sample_mesh(path, read) : read_mesh(path, read);
-    if (!materials.empty()) mesh = of_materials(path, mesh, materials);
+    const bool gltf = !is_sample_mesh(path) && has_gltf_extension(path);
+    if (!gltf && !read.choice.materials.empty())
+        mesh = of_materials(path, mesh, read.choice.materials);
     for (const std::string& sentence : sentences_of(mesh.notes))
         warn(fmt::format("{}: {}", path, sentence));
     return framed(std::move(mesh), frame_transform(frame));
