@@ -26,7 +26,6 @@
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
-#include "atlas/file/file_extension.h"
 
 namespace burl {
 
@@ -178,7 +177,7 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
-    check_vertex_colors();
+    if (command_.vertex_colors) check_vertex_colors(command_.out, command_.recipe);
     if (!command_.pose.empty() && command_.meshes.read.choice.any())
         throw Error(
             ExitCode::usage,
@@ -211,22 +210,6 @@ void BakeJob::check_displacement() const {
     if (has_normals())
         refuse("the normal map would show the same height once more; leave --normals out");
     if (!command_.pose.empty()) refuse("a pose has points of its own; leave one of the two out");
-}
-
-/// Throws Error(usage) where --vertex-colors has no place, or makes another option idle.
-void BakeJob::check_vertex_colors() const {
-    if (!command_.vertex_colors) return;
-    if (!holds_colors(command_.out))
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
-                                "with colours",
-                                command_.out));
-    for (const RecipeEdit& edit : command_.recipe.edits())
-        if (edit.path.starts_with("atlas."))
-            throw Error(ExitCode::usage,
-                        fmt::format("{} does nothing: --vertex-colors writes no texture; leave one "
-                                    "of the two out",
-                                    edit.said));
 }
 
 /// Throws Error(usage) if an option would have no effect.
@@ -322,7 +305,7 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
     BakePlan plan = plan_;
     plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
-    if (lower_extension(command_.out) == ".obj" && !command_.displace)
+    if (is_obj(command_.out) && !command_.displace)
         plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
     plan.kept = kept;
     if (kept)

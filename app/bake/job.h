@@ -72,7 +72,6 @@ class BakeJob {
     void check_files() const;
     std::string not_of(const Recipe& recipe) const;
     void check_displacement() const;
-    void check_vertex_colors() const;
     void check_idle() const;
     Json what_it_is_made_from(const Json& settings) const;
     bool has_normals() const { return plan_.normals != NormalSpace::none; }

@@ -1,5 +1,7 @@
 #include "app/bake/vertex_colors.h"
 
+#include <chrono>
+
 #include <fmt/format.h>
 
 #include "app/base/stopwatch.h"
@@ -7,6 +9,7 @@
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/each_index.h"
+#include "atlas/base/error.h"
 
 namespace burl {
 
@@ -24,6 +27,20 @@ std::vector<Vec4f> vertex_colors(const Recipe& recipe, const Mesh& mesh) {
         },
         256);
     return colors;
+}
+
+void check_vertex_colors(const std::string& out, const RecipeOptions& recipe) {
+    if (!holds_colors(out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
+                                "with colours",
+                                out));
+    for (const RecipeEdit& edit : recipe.edits())
+        if (edit.path.starts_with("atlas."))
+            throw Error(ExitCode::usage,
+                        fmt::format("{} does nothing: --vertex-colors writes no texture; leave one "
+                                    "of the two out",
+                                    edit.said));
 }
 
 std::string lost_with_vertex_colors(const Recipe& recipe) {

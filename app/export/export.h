@@ -99,6 +99,9 @@ std::vector<std::string> paths_without_texture(const std::string& out_path);
 /// Throws Error(usage) for an unknown extension.
 bool is_gltf(const std::string& out_path);
 
+/// Whether the format is .obj. Throws Error(usage) for an unknown extension.
+bool is_obj(const std::string& out_path);
+
 /// Whether the file contains the mesh with its texture, rather than the texture alone. Throws
 /// Error(usage) for an unknown extension.
 bool holds_mesh(const std::string& out_path);
