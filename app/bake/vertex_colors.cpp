@@ -43,14 +43,12 @@ void check_vertex_colors(const std::string& out, const RecipeOptions& recipe) {
                                     edit.said));
 }
 
-std::string lost_with_vertex_colors(const Recipe& recipe) {
-    std::string lost;
-    const auto add = [&](const std::string& what) { lost += (lost.empty() ? "" : ", ") + what; };
-    if (!recipe.bump.empty()) add("bumps");
-    if (!recipe.paint.empty()) add("paint");
+std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe) {
     const MaterialAsked separate{Packing::separate, 8, 0, false, 0.0};
-    for (const std::string& name : picture_names(recipe, separate)) add(name);
-    return lost.empty() ? lost : "vertex colours are the base colour alone, without " + lost;
+    std::vector<std::string> lost = picture_names(recipe, separate);
+    if (!recipe.bump.empty()) lost.emplace_back("bumps");
+    if (!recipe.paint.empty()) lost.emplace_back("paint");
+    return lost;
 }
 
 BakeResult bake_vertex_colors(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose) {
@@ -68,7 +66,6 @@ BakeResult bake_vertex_colors(Pipeline& pipeline, const BakePlan& plan, const Me
     };
     if (pose) options.pose = ExportPose{*pose, recipe.pose.weight};
     options.vertex_colors = vertex_colors(recipe, mesh);
-    if (const std::string lost = lost_with_vertex_colors(recipe); !lost.empty()) options.tell(lost);
     const auto writing = std::chrono::steady_clock::now();
     std::vector<AtomicFile> files = scene_files(plan.paths.front(), mesh, {}, {}, options);
     result.committed = commit_together(files);
