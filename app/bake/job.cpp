@@ -181,7 +181,7 @@ void BakeJob::check() const {
                     "none to leave the bumps out");
     check_displacement();
     check_coding();
-    check_vertex_colors();
+    if (command_.vertex_colors) check_vertex_colors(command_.out, command_.recipe);
     if (!command_.pose.empty() && command_.meshes.read.choice.any())
         throw Error(
             ExitCode::usage,

@@ -75,7 +75,6 @@ class BakeJob {
     void check_displacement() const;
     void check_coding() const;
     void warn_of_depth() const;
-    void check_vertex_colors() const;
     void check_idle() const;
     Json what_it_is_made_from(const Json& settings) const;
     bool has_normals() const { return plan_.normals != NormalSpace::none; }

@@ -42,22 +42,6 @@ void BakeJob::check_coding() const {
             refuse(fmt::format("the picture {}", picture.name), "it has no alpha");
 }
 
-/// Throws Error(usage) where --vertex-colors has no place, or makes another option idle.
-void BakeJob::check_vertex_colors() const {
-    if (!command_.vertex_colors) return;
-    if (!holds_colors(command_.out))
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
-                                "with colours",
-                                command_.out));
-    for (const RecipeEdit& edit : command_.recipe.edits())
-        if (edit.path.starts_with("atlas."))
-            throw Error(ExitCode::usage,
-                        fmt::format("{} does nothing: --vertex-colors writes no texture; leave one "
-                                    "of the two out",
-                                    edit.said));
-}
-
 /// Warns of 16 bits in a glTF.
 void BakeJob::warn_of_depth() const {
     if (plan_.depth != 16 || !is_gltf(command_.out) || command_.vertex_colors) return;

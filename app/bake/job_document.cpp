@@ -1,12 +1,15 @@
 // The part of a bake that goes back into the mesh's own document: its files, its further atlases,
 // and what it loses.
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/bake/job.h"
+#include "app/bake/vertex_colors.h"
 #include "app/base/stopwatch.h"
 #include "atlas/base/error.h"
 
@@ -68,7 +71,10 @@ void BakeJob::bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& re
 /// Says what of the mesh's document the output does not hold; with --strict, before the bake.
 std::vector<std::string> BakeJob::losses_before() const {
     if (!holds_mesh(command_.out) || kept_document()) return {};
-    const std::vector<std::string> losses = losses_of_flat(command_.mesh);
+    std::vector<std::string> losses = losses_of_flat(command_.mesh);
+    if (!holds_colors(command_.out)) losses.emplace_back("colours, of which an .stl has none");
+    if (plan_.vertex_colors)
+        std::ranges::move(lost_with_vertex_colors(recipe()), std::back_inserter(losses));
     if (!losses.empty() && command_.strict)
         throw Error(ExitCode::unsupported,
                     fmt::format("{}: --strict: {}", command_.out, losses_sentence(losses)));

@@ -209,9 +209,9 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     add_kernel(verb, command.kernel);
     add_synthesis(verb, command);
     for (const char* option :
-         {"--levels", "--compress", "--solid-map", "--channels", "--frames", "--normals",
-          "--displace", "--pack", "--depth", "--filter", "--kernel", "--synth", "--gl",
-          "--gl-precision", "--gl-randomizer", "--gl-equalize"})
+         {"--assign", "--atlas-per", "--uv-set", "--levels", "--compress", "--solid-map",
+          "--channels", "--frames", "--normals", "--displace", "--pack", "--depth", "--filter",
+          "--kernel", "--synth", "--gl", "--gl-precision", "--gl-randomizer", "--gl-equalize"})
         verb.get_option("--vertex-colors")->excludes(verb.get_option(option));
 }
 

@@ -1,5 +1,7 @@
 #include "app/bake/vertex_colors.h"
 
+#include <chrono>
+
 #include <fmt/format.h>
 
 #include "app/base/stopwatch.h"
@@ -7,6 +9,7 @@
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/each_index.h"
+#include "atlas/base/error.h"
 
 namespace burl {
 
@@ -26,14 +29,26 @@ std::vector<Vec4f> vertex_colors(const Recipe& recipe, const Mesh& mesh) {
     return colors;
 }
 
-std::string lost_with_vertex_colors(const Recipe& recipe) {
-    std::string lost;
-    const auto add = [&](const std::string& what) { lost += (lost.empty() ? "" : ", ") + what; };
-    if (!recipe.bump.empty()) add("bumps");
-    if (!recipe.paint.empty()) add("paint");
+void check_vertex_colors(const std::string& out, const RecipeOptions& recipe) {
+    if (!holds_colors(out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
+                                "with colours",
+                                out));
+    for (const RecipeEdit& edit : recipe.edits())
+        if (edit.path.starts_with("atlas."))
+            throw Error(ExitCode::usage,
+                        fmt::format("{} does nothing: --vertex-colors writes no texture; leave one "
+                                    "of the two out",
+                                    edit.said));
+}
+
+std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe) {
     const MaterialAsked separate{Packing::separate, 8, 0, false, 0.0};
-    for (const std::string& name : picture_names(recipe, separate)) add(name);
-    return lost.empty() ? lost : "vertex colours are the base colour alone, without " + lost;
+    std::vector<std::string> lost = picture_names(recipe, separate);
+    if (!recipe.bump.empty()) lost.emplace_back("bumps");
+    if (!recipe.paint.empty()) lost.emplace_back("paint");
+    return lost;
 }
 
 BakeResult bake_vertex_colors(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose) {
@@ -51,7 +66,6 @@ BakeResult bake_vertex_colors(Pipeline& pipeline, const BakePlan& plan, const Me
     };
     if (pose) options.pose = ExportPose{*pose, recipe.pose.weight};
     options.vertex_colors = vertex_colors(recipe, mesh);
-    if (const std::string lost = lost_with_vertex_colors(recipe); !lost.empty()) options.tell(lost);
     const auto writing = std::chrono::steady_clock::now();
     std::vector<AtomicFile> files = scene_files(plan.paths.front(), mesh, {}, {}, options);
     result.committed = commit_together(files);

@@ -1,8 +1,10 @@
 #pragma once
 // Colours per point in place of a texture: --vertex-colors.
+#include <string>
 #include <vector>
 
 #include "app/bake/bake.h"
+#include "app/options/command_options.h"
 
 namespace burl {
 
@@ -11,9 +13,12 @@ namespace burl {
 /// Error(unsupported) where the recipe reads a mask of the mesh's shape, and as check_lattice does.
 std::vector<Vec4f> vertex_colors(const Recipe& recipe, const Mesh& mesh);
 
-/// What the recipe has besides numbers and the base colour, which vertex colours do not hold, as a
-/// sentence; empty: nothing.
-std::string lost_with_vertex_colors(const Recipe& recipe);
+/// Throws Error(usage) where the output holds no points with colours, and for options of an atlas,
+/// which would do nothing.
+void check_vertex_colors(const std::string& out, const RecipeOptions& recipe);
+
+/// What the recipe has besides numbers and the base colour, which vertex colours do not hold.
+std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe);
 
 /// Writes the mesh with the colours of its points; there is no atlas and no image. Throws Error as
 /// vertex_colors() and scene_files() do.

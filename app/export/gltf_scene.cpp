@@ -93,8 +93,8 @@ std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indi
 
 /// The accessors of one part's arrays.
 struct PrimitiveIds {
-    std::size_t position, normal, indices;
-    std::optional<std::size_t> uv, color, block, tangent;
+    std::size_t position = 0, normal = 0, indices = 0;
+    std::optional<std::size_t> uv{}, color{}, block{}, tangent{};
     Json target{};  ///< the morph target's accessors; null: none
 };
 
@@ -186,21 +186,17 @@ void add_animation(GltfScene& scene, const KeyTrack& track) {
 }
 
 PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
-    PrimitiveIds ids{add_positions(scene, v.positions),
-                     add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float,
-                                  v.normals.size(), "VEC3"),
-                     add_indices(scene, v.indices, v.positions.size()),
-                     std::nullopt,
-                     std::nullopt,
-                     std::nullopt,
-                     std::nullopt,
-                     {}};
+    PrimitiveIds ids;
+    ids.position = add_positions(scene, v.positions);
+    ids.normal = add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float,
+                              v.normals.size(), "VEC3");
     if (!v.uvs.empty())
         ids.uv =
             add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2");
     if (!v.colors.empty())
         ids.color = add_accessor(scene, as_bytes(v.colors), gl_array_buffer, gl_float,
                                  v.colors.size(), "VEC4");
+    ids.indices = add_indices(scene, v.indices, v.positions.size());
     if (!v.tangents.empty())
         ids.tangent = add_accessor(scene, as_bytes(v.tangents), gl_array_buffer, gl_float,
                                    v.tangents.size(), "VEC4");

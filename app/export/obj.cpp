@@ -222,8 +222,8 @@ BakedImage cut(BakedImage image, double cutoff) {
 }
 
 std::vector<AtomicFile> write_content(const SceneContent& content) {
-    const auto [mesh, normals] = shown_mesh(content);
-    return write_files(content, mesh, normals);
+    const ShownMesh shown = shown_mesh(content);
+    return write_files(content, shown.of(content), shown.normals);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ Vec2d uv_of_corner(const Atlas& atlas, std::size_t corner) {
 
 ShownMesh shown_mesh(const SceneContent& content) {
     std::vector<Vec3f> rest = corner_normals(content.mesh, content.options.crease_degrees);
-    if (!content.options.pose) return {content.mesh, std::move(rest)};
+    if (!content.options.pose) return {std::nullopt, std::move(rest)};
     const auto& [pose, weight] = *content.options.pose;
     std::vector<Vec3f> normals =
         blended_normals(rest, posed_corners(content.mesh, pose, rest).normals, weight);
@@ -54,7 +54,9 @@ ShownMesh shown_mesh(const SceneContent& content) {
 }
 
 PlacedTriangles placed_triangles(const SceneContent& content) {
-    const auto [mesh, normals] = shown_mesh(content);
+    const ShownMesh shown = shown_mesh(content);
+    const Mesh& mesh = shown.of(content);
+    const std::vector<Vec3f>& normals = shown.normals;
     const Atlas& atlas = content.atlas;
     const std::vector<Vec4f>& colors = content.options.vertex_colors;
     const bool textured = !atlas.corners.empty();

@@ -1,5 +1,6 @@
 #pragma once
 // All triangles of a scene in one list, in double precision, for formats without placements.
+#include <optional>
 #include <vector>
 
 #include "app/export/formats.h"
@@ -23,8 +24,10 @@ PlacedTriangles placed_triangles(const SceneContent& content);
 /// The scene's mesh as formats without morph targets show it: in its pose as far as the weight
 /// says, with a normal for each triangle corner.
 struct ShownMesh {
-    Mesh mesh;
-    std::vector<Vec3f> normals;
+    std::optional<Mesh> posed{};  ///< none: the content's own mesh is shown
+    std::vector<Vec3f> normals{};
+
+    const Mesh& of(const SceneContent& content) const { return posed ? *posed : content.mesh; }
 };
 ShownMesh shown_mesh(const SceneContent& content);
 

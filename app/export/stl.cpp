@@ -58,8 +58,6 @@ AtomicFile write_stl(const SceneContent& content) {
         for (const Vec3f& corner : corners) add_vector(text, corner);
         text.append(2, '\0');
     }
-    if (content.options.tell)
-        content.options.tell("an .stl holds no colour; the surface alone is written");
     AtomicFile file(content.path);
     file.write(text);
     return file;

@@ -133,7 +133,7 @@ ObjSource read_obj_source(FileBuffer file) {
 std::vector<char> faces_of_materials(const ObjSource& source,
                                      const std::vector<std::string>& patterns) {
     std::vector<std::string> names = source.materials;
-    names.emplace_back();  // of faces before the first usemtl
+    names.emplace_back("no material");  // of faces before the first usemtl
     const bool nameless =
         std::ranges::find(source.material_of_face, no_index) != source.material_of_face.end();
     std::vector<char> chosen(names.size(), 0);

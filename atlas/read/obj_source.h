@@ -44,8 +44,8 @@ struct ObjSource {
 ObjSource read_obj_source(FileBuffer file);
 
 /// Which faces have a material that one of the patterns (atlas/base/glob.h) fits; a face before the
-/// first usemtl has the name "". Throws Error(usage), with the file's materials, for a pattern that
-/// fits none.
+/// first usemtl is of "no material". Throws Error(usage), with the file's materials, for a pattern
+/// that fits none.
 std::vector<char> faces_of_materials(const ObjSource& source,
                                      const std::vector<std::string>& patterns);
 

@@ -122,7 +122,7 @@ TEST_F(PlainFormats, PlyHoldsEveryDigitTheNormalsAndTheTexture) {
 
 TEST_F(PlainFormats, StlHoldsTheSurface) {
     const Outcome ran = bake("sample:cad_part", "a.stl");
-    EXPECT_THAT(ran.err, HasSubstr("holds no colour"));
+    EXPECT_THAT(ran.err, HasSubstr("not kept: colours"));
     const std::string bytes = slurp(scratch / "a.stl");
     const Mesh mesh = read_mesh(test::mesh_folder() + "/cad_part.obj");
     std::size_t at = 80;
@@ -208,7 +208,10 @@ TEST_F(PlainFormats, ColorsOfPointsAreTheRecipes) {
 
 TEST_F(PlainFormats, ColorsOfPointsSayWhatTheyLack) {
     EXPECT_THAT(bake("sample:cube", "c.glb", "--vertex-colors --recipe oak").err,
-                HasSubstr("without bumps"));
+                HasSubstr("bumps"));
+    EXPECT_EQ(run_burl(scratch, fmt::format("bake sample:cube -o '{}' --strict", scratch / "s.stl"))
+                  .exit_code,
+              5);
     for (const char* wrong :
          {"-o c.stl --vertex-colors", "-o c.png --vertex-colors",
           "-o c.ply --vertex-colors --size 64", "-o c.ply --vertex-colors --levels 2",
