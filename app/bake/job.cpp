@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bake/report.h"
+#include "app/bake/tiles.h"
 #include "app/bake/up_to_date.h"
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
@@ -75,7 +76,8 @@ BakePlan plan_of(const BakeCommand& command,
     plan.depth = command.bits();
     plan.crease_degrees = command.crease_degrees();
     const Recipe& first = recipes->front();
-    plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
+    plan.levels = levels_asked(command.levels, command.level_rule,
+                               std::min(first.atlas.columns(), first.atlas.rows()), plan.kind);
     plan.displaces = command.displace.has_value();
     const std::string& normals =
         plan.displaces && command.normals.empty() ? "none" : command.normals;
@@ -120,9 +122,10 @@ BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
     made_from_ = what_it_is_made_from(settings);
 }
 
-std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
+std::vector<std::string> BakeJob::outputs(const std::vector<std::string>& paths,
+                                          std::uint32_t levels) const {
     std::vector<std::string> outputs;
-    for (const std::string& path : plan_.paths)
+    for (const std::string& path : paths)
         std::ranges::move(
             output_paths(path, levels, has_normals(), picture_names(recipe(), plan_.material()),
                          plan_.material().rough_levels()),
@@ -135,10 +138,10 @@ std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
 }
 
 /// Throws Error if an output would replace a file that is read or another output.
-void BakeJob::check_files() const {
+void BakeJob::check_files(const std::vector<std::string>& paths) const {
     CommandFiles files;
     files.read(inputs_);
-    for (const std::string& path : outputs())
+    for (const std::string& path : outputs(paths, plan_.levels.count))
         files.write(path, path == command_.solid_map ? ".exr" : "");
     if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
     files.write(record_path(command_.out));
@@ -151,7 +154,7 @@ void BakeJob::check() const {
                     fmt::format("{}: --frames writes textures alone, .png or .exr; bake the mesh "
                                 "once without --frames: its texture coordinates fit every frame",
                                 command_.out));
-    check_files();
+    check_files(plan_.paths);
     const AtlasKind kind = recipe().atlas.kind;
     if (command_.compress && kind != AtlasKind::quad)
         throw Error(ExitCode::usage,
@@ -163,6 +166,7 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
+    check_uvs();
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_idle();
 }
@@ -175,6 +179,29 @@ std::string BakeJob::not_of(const Recipe& recipe) const {
     if (recipe.precision.kind == PrecisionKind::fixed) return "--precision fixed";
     const bool any = command_.kernel == "auto" || command_.kernel == reference_kernel;
     return any ? "" : "--kernel " + command_.kernel;
+}
+
+/// Throws Error(usage) for options of texture coordinates that do not fit the rest.
+void BakeJob::check_uvs() const {
+    const bool uv = recipe().atlas.kind == AtlasKind::uv;
+    for (const char* option :
+         {command_.udim ? "--udim" : "", command_.meshes.read.uv_set > 0 ? "--uv-set" : ""})
+        if (*option && !uv)
+            throw Error(
+                ExitCode::usage,
+                fmt::format("{}: {} does nothing: the {} atlas makes texture coordinates of "
+                            "its own; add --atlas uv, or leave it out",
+                            command_.out, option, to_string(recipe().atlas.kind)));
+    if (const std::string why = why_not_this_extent(recipe().atlas, plan_); uv && !why.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: a texture of {} x {} texels: {}", command_.out,
+                                recipe().atlas.columns(), recipe().atlas.rows(), why));
+    if (command_.udim && holds_mesh(command_.out))
+        throw Error(
+            ExitCode::usage,
+            fmt::format("{}: --udim writes textures alone, .png or .exr, since one material "
+                        "of these files has one image; your mesh keeps its coordinates",
+                        command_.out));
 }
 
 /// Throws Error(usage) where --displace cannot be had with what else is asked for.
@@ -283,21 +310,25 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     pipeline.set_synthesizer(synthesizer);
     pipeline.set_skips(command_.economy.skips());
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
-    const BakeResult result = bake(pipeline, plan_, pose ? &*pose : nullptr, later);
+    const BakePlan plan = command_.udim ? plan_of_tiles(pipeline, plan_, recipe()) : plan_;
+    if (command_.udim) check_files(plan.paths);
+    if (plan.paths.size() > 1 && command_.udim) later = std::max(later, LaterBake::mesh);
+    const BakeResult result = bake(pipeline, plan, pose ? &*pose : nullptr, later);
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
     seconds["write"] = result.writing;
     seconds["total"] = reading + seconds_since(start);
-    Json report = report_of(pipeline, result, synthesizer.get(), std::move(seconds));
+    Json report = report_of(pipeline, plan, result, synthesizer.get(), std::move(seconds));
     write_record(command_.out, made_from_, result.committed, report);
     return report;
 }
 
 /// The report of a bake, as `burl bake --report` writes it.
-Json BakeJob::report_of(Pipeline& pipeline, const BakeResult& result,
+Json BakeJob::report_of(Pipeline& pipeline, const BakePlan& plan, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
-    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe(), pipeline, result,
-                            std::move(seconds));
+    Json report = bake_json(command_.mesh, outputs(plan.paths, result.levels.count), recipe(),
+                            pipeline, result, std::move(seconds));
+    if (command_.udim) report["udim_paths"] = plan.paths;
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)
         report["solid_map"] = {{"file", command_.solid_map}, {"base", {base->x, base->y, base->z}}};
@@ -313,7 +344,8 @@ std::optional<Json> BakeJob::known_report() const {
     if (!report) return report;
     // The folder may have been moved, or may be named from another working directory.
     (*report)["input"] = command_.mesh;
-    (*report)["outputs"] = outputs(report->at("mip_levels").get<std::uint32_t>());
+    if (!command_.udim)
+        (*report)["outputs"] = outputs(plan_.paths, report->at("mip_levels").get<std::uint32_t>());
     // Normals are measured only if a report is wanted, so the record may lack them.
     if (has_normals() && wants_report() && !report->contains("normals")) return std::nullopt;
     (*report)["up_to_date"] = true;
@@ -324,7 +356,9 @@ void BakeJob::print(const Json& report) const {
     if (!command_.report.empty()) write_json(command_.report, report);
     if (command_.json) write_json("-", report);
     if (!command_.json && !command_.quiet && command_.report != "-")
-        print_summary(report, plan_.paths);
+        print_summary(report, command_.udim
+                                  ? report.at("udim_paths").get<std::vector<std::string>>()
+                                  : plan_.paths);
 }
 
 }  // namespace burl

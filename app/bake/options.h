@@ -37,6 +37,7 @@ struct BakeCommand {
     bool gl_equalize = false;
     std::optional<double> compress;
     std::optional<int> displace;       ///< how often triangles are split before displacement
+    bool udim = false;                 ///< whether each UDIM tile gets an image of its own
     bool json = false, quiet = false;  ///< print the JSON report, or nothing, on stdout
     bool force = false;                ///< bake even if the outputs are up to date
 

@@ -235,7 +235,8 @@ Json sampler(const AtlasOptions& atlas) {
 
 TextureFilter baked_filter(const AtlasOptions& atlas) {
     if (atlas.overscan == Overscan::nearest) return TextureFilter::nearest;
-    return atlas.kind == AtlasKind::patch ? TextureFilter::mip : TextureFilter::linear;
+    const bool plain = atlas.kind == AtlasKind::patch || atlas.kind == AtlasKind::uv;
+    return plain ? TextureFilter::mip : TextureFilter::linear;
 }
 
 std::span<const std::uint8_t> padding_after(std::uint64_t bytes) {

@@ -132,7 +132,7 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
 /// A key that is equal for bakes that can use one pipeline.
 std::string mesh_key(const Bake& bake) {
     const BakeCommand& command = bake.job.command();
-    return fmt::format("{} {} {} {}", command.meshes.read.weld,
+    return fmt::format("{} {} {} {} {}", command.meshes.read.weld, command.meshes.read.uv_set,
                        command.meshes.read.unshare_instances, command.displace.value_or(0),
                        real_path(command.mesh));
 }

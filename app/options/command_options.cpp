@@ -46,6 +46,21 @@ void append_filter(const std::string& text, std::vector<RecipeEdit>& edits) {
     edits.push_back({option, "filter.samples", text.substr(colon + 1)});
 }
 
+/// Adds the edits of --size, N or WxH.
+void append_size(const std::string& text, std::vector<RecipeEdit>& edits) {
+    const std::string option = "--size " + text;
+    const std::size_t by = text.find('x');
+    std::uint32_t width = 0, height = 0;
+    const char *const begin = text.data(), *const end = begin + text.size();
+    const bool pair =
+        by != std::string::npos && std::from_chars(begin, end, width).ptr == begin + by &&
+        std::from_chars(begin + by + 1, end, height).ptr == end && width > 0 && height > 0;
+    edits.push_back({option, "atlas.size", pair ? std::to_string(std::max(width, height)) : text});
+    if (!pair || width == height) return;
+    edits.push_back({option, width > height ? "atlas.height" : "atlas.width",
+                     std::to_string(std::min(width, height))});
+}
+
 void append_precision(const std::string& text, std::vector<RecipeEdit>& edits) {
     const FixedFormat format = parse_precision(text).format;
     const std::string option = "--precision " + text;
@@ -151,7 +166,9 @@ std::vector<RecipeEdit> RecipeOptions::edits() const {
                          setting.substr(std::min(equals + 1, setting.size()))});
     }
     for (const auto& [parameter, value] : parameters)
-        if (value)
+        if (value && parameter->path == "atlas.size")
+            append_size(*value, edits);
+        else if (value)
             edits.push_back({fmt::format("{} {}", long_name(parameter->use.option), *value),
                              std::string(parameter->path), *value});
     if (filter) append_filter(*filter, edits);
@@ -208,6 +225,9 @@ void MeshOptions::add(CLI::App& verb) {
         ->check(in_range(0.0, 0.1));
     verb.add_flag("--unshare-instances", read.unshare_instances,
                   "Bake each glTF instance by itself, in scene space");
+    verb.add_option("--uv-set", read.uv_set,
+                    "Which texture coordinates of a glTF are read: N of its TEXCOORD_N (default 0)")
+        ->check(CLI::Range(0, 255));
 }
 
 Mesh MeshOptions::load(const std::string& path) const {
@@ -216,7 +236,17 @@ Mesh MeshOptions::load(const std::string& path) const {
                     fmt::format("--unshare-instances: {} is no glTF and has no instances; leave it "
                                 "out",
                                 path));
+    if (read.uv_set > 0 && (is_sample_mesh(path) || !has_gltf_extension(path)))
+        throw Error(ExitCode::usage,
+                    fmt::format("--uv-set: {} is no glTF and has one set of texture coordinates at "
+                                "most; leave it out",
+                                path));
     Mesh mesh = is_sample_mesh(path) ? sample_mesh(path, read) : read_mesh(path, read);
+    if (read.uv_set > 0 && mesh.corners.uvs.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("--uv-set {0}: {1} has no TEXCOORD_{0}; name a set "
+                                "that it has, or leave it out",
+                                read.uv_set, path));
     for (const std::string& sentence : sentences_of(mesh.notes))
         warn(fmt::format("{}: {}", path, sentence));
     return mesh;

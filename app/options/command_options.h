@@ -71,14 +71,14 @@ struct RecipeOptions {
 /// Error(usage) for anything else.
 Precision parse_precision(const std::string& text);
 
-/// The options --weld and --unshare-instances.
+/// The options --weld, --unshare-instances and --uv-set.
 struct MeshOptions {
     ReadOptions read;
 
     void add(CLI::App& verb);
     /// Reads the mesh file or sample ("sample:teapot") and prints the reader's notes on stderr.
     /// Throws Error as read_mesh does, and usage for --unshare-instances of a mesh that is not
-    /// glTF.
+    /// glTF and for a --uv-set that it does not have.
     Mesh load(const std::string& path) const;
 };
 
