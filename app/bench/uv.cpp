@@ -24,10 +24,12 @@ constexpr std::uint32_t last_uv_level = 3;
 /// Samples of the surface per texel for the means of the texels that they fall into.
 constexpr std::size_t samples_per_texel = 32;
 
-/// What the search finds for one texel centre.
-struct Found {
-    Vec3d continued{0.0};  ///< the affine map of the nearest triangle at the centre
-    Vec3d nearest{0.0};    ///< the point of that triangle that is nearest in the texture
+/// The nearest triangle of a place in the texture, by its weights there and at the nearest place of
+/// the triangle.
+struct Nearest {
+    std::size_t triangle = 0;
+    Vec3d here{0.0}, there{0.0};
+    double distance = INFINITY;  ///< in texels
 };
 
 /// Searches all triangles for the one nearest to a place in the texture.
@@ -35,23 +37,30 @@ class ExhaustiveSearch {
   public:
     ExhaustiveSearch(const Mesh& mesh, const Atlas& atlas) : mesh_(mesh), atlas_(atlas) {}
 
-    Found operator()(const Vec2d& at) const {
-        double least = INFINITY;
-        Vec3d best_here(0.0), best_there(0.0);
-        std::size_t found = 0;
+    Nearest operator()(const Vec2d& at) const {
+        Nearest best;
         for (std::size_t t = 0; t < atlas_.corners.size(); ++t) {
             const auto& c = atlas_.corners[t];
             const Vec2d low = glm::min(glm::min(c[0], c[1]), c[2]) - at,
                         high = at - glm::max(glm::max(c[0], c[1]), c[2]);
-            const Vec2d out = glm::max(glm::max(low, high), Vec2d(0.0));
-            if (glm::dot(out, out) >= least || cross(c[1] - c[0], c[2] - c[0]) == 0.0) continue;
+            if (glm::length(glm::max(glm::max(low, high), Vec2d(0.0))) >= best.distance) continue;
+            if (cross(c[1] - c[0], c[2] - c[0]) == 0.0) continue;
             const Vec3d here = weights(c, at), there = nearest(c, at, here);
-            const Vec2d away = there.x * c[0] + there.y * c[1] + there.z * c[2] - at;
-            if (glm::dot(away, away) >= least) continue;
-            least = glm::dot(away, away);
-            best_here = here, best_there = there, found = t;
+            const double distance = here == there ? 0.0 : glm::length(place_in(t, there) - at);
+            if (distance < best.distance) best = {t, here, there, distance};
         }
-        return {point(found, best_here), point(found, best_there)};
+        return best;
+    }
+
+    /// The triangle's point at a place given by weights.
+    Vec3d point(std::size_t t, const Vec3d& w) const {
+        const auto& [a, b, c] = mesh_.triangles[t];
+        return w.x * mesh_.positions[a] + w.y * mesh_.positions[b] + w.z * mesh_.positions[c];
+    }
+    /// The place in the texture given by weights.
+    Vec2d place_in(std::size_t t, const Vec3d& w) const {
+        const auto& c = atlas_.corners[t];
+        return w.x * c[0] + w.y * c[1] + w.z * c[2];
     }
 
   private:
@@ -80,31 +89,46 @@ class ExhaustiveSearch {
         return best;
     }
 
-    Vec3d point(std::size_t t, const Vec3d& w) const {
-        const auto& [a, b, c] = mesh_.triangles[t];
-        return w.x * mesh_.positions[a] + w.y * mesh_.positions[b] + w.z * mesh_.positions[c];
-    }
-
     const Mesh& mesh_;
     const Atlas& atlas_;
 };
 
-/// Textures for the same coordinates that are filled by other means.
-struct Fillings {
-    Image<Vec3f> continued, nearest;
-};
+/// Ways to fill a texel whose centre lies in no triangle: the nearest triangle's map goes on for so
+/// many texels from its border, or the surface is reflected there.
+constexpr double reflected = -1.0;
+constexpr std::array ways{0.0, 1.0, 1.5, 2.0, 4.0, 1e9, reflected};
+
+/// The point that a texel shows, by one of `ways`.
+Vec3d shown_point(const ExhaustiveSearch& search, const Nearest& found, const Vec2d& at,
+                  double way) {
+    const Vec3d border = search.point(found.triangle, found.there);
+    if (found.distance == 0.0) return border;
+    if (way == reflected) {
+        const Vec2d there = search.place_in(found.triangle, found.there);
+        const Nearest inner = search(2.0 * there - at);
+        return 2.0 * border - search.point(inner.triangle, inner.there);
+    }
+    const double share = std::min(1.0, way / found.distance);
+    return search.point(found.triangle, share * found.here + (1.0 - share) * found.there);
+}
+
+/// Textures for the same coordinates, filled by each of the ways.
+using Fillings = std::vector<Image<Vec3f>>;
 
 Fillings search_texels(const Mesh& mesh, const Atlas& atlas, const SolidColor& f) {
     const std::size_t size = atlas.options.size;
-    Fillings all{Image<Vec3f>(size, size), Image<Vec3f>(size, size)};
+    Fillings all(ways.size(), Image<Vec3f>(size, size));
     const ExhaustiveSearch search(mesh, atlas);
     for_each_index(
         size,
         [&](std::size_t y) {
             for (std::size_t x = 0; x < size; ++x) {
-                const Found found = search({double(x) + 0.5, double(y) + 0.5});
-                all.continued(x, y) = Vec3f(f(found.continued));
-                all.nearest(x, y) = Vec3f(f(found.nearest));
+                const Vec2d at(double(x) + 0.5, double(y) + 0.5);
+                const Nearest found = search(at);
+                for (std::size_t w = 0; w < ways.size(); ++w)
+                    all[w](x, y) = found.distance == 0.0 && w > 0
+                                       ? all[0](x, y)
+                                       : Vec3f(f(shown_point(search, found, at, ways[w])));
             }
         },
         1);
@@ -134,19 +158,20 @@ Image<Vec3f> surface_in_texels(const Mesh& mesh, const Atlas& atlas, const Solid
 /// Errors of lookups in one level of the textures for one mesh.
 struct UvBench {
     std::uint32_t level = 0;
-    double rmse = 0.0;                                     ///< of the uv atlas
-    double continued = 0.0, nearest = 0.0, surface = 0.0;  ///< of the textures filled by search
+    double rmse = 0.0;             ///< of the uv atlas
+    std::vector<double> searched;  ///< of the textures filled by search, by `ways`
+    double surface = 0.0;          ///< of means of the surface in each texel
     double truth_noise = 0.0;
 
-    double best() const { return std::min({continued, nearest, surface}); }
+    double best() const { return std::min(surface, std::ranges::min(searched)); }
     double ratio() const { return rmse / best(); }
 };
 
 Json uv_json(const UvBench& row) {
     return {{"level", row.level},
             {"rmse", row.rmse},
-            {"rmse_continued", row.continued},
-            {"rmse_nearest", row.nearest},
+            {"ways", ways},
+            {"rmse_of_ways", row.searched},
             {"rmse_surface_mean", row.surface},
             {"of_best", row.ratio()},
             {"truth_noise", row.truth_noise}};
@@ -177,11 +202,12 @@ std::vector<UvBench> bench_uv(const Mesh& input, std::uint32_t size) {
         const auto error = [&](const Image<Vec3f>& level) {
             return lookup_rmse(atlas, level, points, values);
         };
-        rows.push_back({l, error(ours), error(by_search.continued), error(by_search.nearest),
-                        error(surface_in_texels(mesh, atlas, texture.color, by_search.nearest)),
-                        l == 0 ? 0.0 : truth.levels[l - 1].noise});
+        UvBench row{l, error(ours), {}, 0.0, l == 0 ? 0.0 : truth.levels[l - 1].noise};
+        for (const Image<Vec3f>& level : by_search) row.searched.push_back(error(level));
+        row.surface = error(surface_in_texels(mesh, atlas, texture.color, by_search[0]));
+        rows.push_back(std::move(row));
         ours = halve(ours);
-        by_search = {halve(by_search.continued), halve(by_search.nearest)};
+        for (Image<Vec3f>& level : by_search) level = halve(level);
     }
     return rows;
 }
@@ -193,11 +219,14 @@ void run_uv_bench(const BenchCommand& command) {
         throw Error(ExitCode::usage, "bench uv: name a mesh with texture coordinates");
     const auto rows = bench_uv(read_mesh(command.file), std::uint32_t(command.size_or(512)));
     if (!report_rows(command, rows, uv_json)) return;
-    fmt::print("{:>5} {:>9} {:>10} {:>9} {:>9} {:>8} {:>9}\n", "level", "RMSE", "continued",
-               "nearest", "surface", "of best", "truth +-");
-    for (const UvBench& row : rows)
-        fmt::print("{:>5} {:>9.5f} {:>10.5f} {:>9.5f} {:>9.5f} {:>8.4f} {:>9.5f}\n", row.level,
-                   row.rmse, row.continued, row.nearest, row.surface, row.ratio(), row.truth_noise);
+    fmt::print(
+        "level      RMSE  of best    nearest        1      1.5        2        4      all  "
+        "reflect  surface  truth +-\n");
+    for (const UvBench& row : rows) {
+        fmt::print("{:>5} {:>9.5f} {:>8.4f}  ", row.level, row.rmse, row.ratio());
+        for (const double error : row.searched) fmt::print(" {:>8.5f}", error);
+        fmt::print(" {:>8.5f}  {:>8.5f}\n", row.surface, row.truth_noise);
+    }
 }
 
 }  // namespace burl

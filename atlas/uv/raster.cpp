@@ -1,12 +1,14 @@
+// Texels beyond the charts' borders take maps that they share with all others of a border edge's
+// zone, so that they cost spans but hardly any maps.
 #include "atlas/uv/raster.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <utility>
 #include <vector>
 
 #include "atlas/base/each_index.h"
-#include "atlas/solid/texel_rows.h"
+#include "atlas/uv/borders.h"
 #include "atlas/uv/claims.h"
 #include "atlas/uv/nearest.h"
 
@@ -14,128 +16,61 @@ namespace burl {
 
 namespace {
 
-using Corners = std::array<Vec2d, 3>;
-using Points = std::array<Vec3d, 3>;
-
-/// A texel that a triangle without centres touches.
-struct Touch {
-    std::uint32_t x = 0, y = 0, triangle = 0;
-    double distance = 0.0;  ///< squared distance of the texel's centre to the triangle
-};
-
-/// A place on a triangle's border: along the edge that begins at corner `edge`, by a share of it.
-struct BorderPlace {
-    std::size_t edge = 0;
-    double share = 0.0, distance = INFINITY;  ///< `distance` is squared, to the place asked for
-};
-
-/// The place on the border that is nearest to `at`; on the longest edge of a triangle that is a
-/// point.
-BorderPlace nearest_on_border(const Corners& corners, const Vec2d& at) {
-    BorderPlace best;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2d a = corners[k], along = corners[(k + 1) % 3] - a;
-        const double squared = glm::dot(along, along);
-        const double share =
-            squared > 0.0 ? std::clamp(glm::dot(at - a, along) / squared, 0.0, 1.0) : 0.0;
-        const Vec2d away = a + share * along - at;
-        const double distance = glm::dot(away, away);
-        if (distance < best.distance) best = {k, share, distance};
-    }
-    return best;
-}
-
-/// The map of a texel that shows the nearest point of a triangle's border; it goes on along the
-/// edge and is constant across it, since a sliver's own map may be arbitrarily steep there.
-TexelMap border_map(const Corners& corners, const Points& points, std::uint32_t x,
-                    std::uint32_t y) {
-    const BorderPlace place = nearest_on_border(corners, {x + 0.5, y + 0.5});
-    const std::size_t a = place.edge, b = (a + 1) % 3;
-    const Vec2d along = corners[b] - corners[a];
-    const Vec3d change = points[b] - points[a];
-    const double squared = glm::dot(along, along);
-    TexelMap map;
-    map.anchor_x = std::int32_t(x);
-    map.anchor_y = std::int32_t(y);
-    map.origin = points[a] + place.share * change;
-    // An edge shorter than a texel is no measure of how the surface goes on.
-    if (squared < 1.0) return map;
-    map.step_x = change * (along.x / squared);
-    map.step_y = change * (along.y / squared);
-    return map;
-}
+/// Number of zones of a border edge that have maps of their own.
+constexpr std::uint32_t zones = 3;
 
 /// Makes the spans and maps of a uv atlas's texture.
 class UvRasterizer {
   public:
     UvRasterizer(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3d> positions)
-        : mesh_(mesh), atlas_(atlas), positions_(positions), owner_(claim_texels(atlas).owner) {}
+        : mesh_(mesh),
+          atlas_(atlas),
+          positions_(positions),
+          owner_(claim_texels(atlas).owner),
+          edges_(border_edges(atlas)),
+          border_(nearest_borders(owner_, edges_, exact_reach)) {}
 
     SolidAtlas run() {
         solid_.size = atlas_.options.size;
-        solid_.maps.resize(mesh_.triangles.size());
-        for_each_index(solid_.maps.size(), [&](std::size_t t) { map_triangle(t); });
-        claim_touched();
         make_spans();
+        solid_.maps.resize(triangles());
+        for_each_index(triangles(), [&](std::size_t t) { map_triangle(t); });
+        add_zone_maps();
         return std::move(solid_);
     }
 
   private:
-    Points points_of(std::size_t t) const {
-        const auto& [a, b, c] = mesh_.triangles[t];
-        return {positions_[a], positions_[b], positions_[c]};
-    }
+    std::uint32_t triangles() const { return std::uint32_t(mesh_.triangles.size()); }
 
     void map_triangle(std::size_t t) {
+        const auto& [a, b, c] = mesh_.triangles[t];
         solid_.maps[t] =
-            affine_map(atlas_.corners[t], points_of(t), {0, 0},
-                       {std::uint32_t(owner_.width()), std::uint32_t(owner_.height())});
+            affine_map(atlas_.corners[t], {positions_[a], positions_[b], positions_[c]}, {0, 0},
+                       {atlas_.options.columns(), atlas_.options.rows()});
     }
 
-    /// The unclaimed texels that a triangle touches, added to `touches`.
-    void touch(std::uint32_t t, std::vector<Touch>& touches) const {
-        const Corners& corners = atlas_.corners[t];
-        const auto columns = double(owner_.width());
-        visit_slices(
-            corners, std::uint32_t(owner_.height()), 0.5, [&](std::uint32_t y, const Interval& x) {
-                const double end = std::min(std::floor(x.high), columns - 1.0);
-                for (double i = std::max(std::floor(x.low), 0.0); i <= end; ++i) {
-                    const auto column = std::uint32_t(i);
-                    if (owner_(column, y) != unclaimed) continue;
-                    const Vec2d centre(i + 0.5, y + 0.5);
-                    touches.push_back({column, y, t, nearest_on_border(corners, centre).distance});
-                }
-            });
+    /// The number of the map that texel (x, y) shows beyond the border edge `e`, if zones of all
+    /// edges had maps.
+    std::uint32_t map_beyond(std::uint32_t e, std::uint32_t x, std::uint32_t y) const {
+        const BorderZone zone = zone_of(edges_[e], {x + 0.5, y + 0.5});
+        if (zone == BorderZone::near) return edges_[e].triangle;
+        return triangles() + zones * e + std::uint32_t(zone) - 1;
     }
 
-    /// Gives unclaimed texels to the triangles that touch them and hold no centre.
-    void claim_touched() {
-        std::vector<bool> owns(mesh_.triangles.size());
-        for (const std::uint32_t t : owner_.pixels())
-            if (t != unclaimed) owns[t] = true;
-        std::vector<Touch> touches;
-        for (std::uint32_t t = 0; t < owns.size(); ++t)
-            if (!owns[t] && has_texture_area(atlas_.corners[t])) touch(t, touches);
-        std::ranges::sort(touches, {}, [](const Touch& one) {
-            return std::tuple(one.y, one.x, one.distance, one.triangle);
-        });
-        for (const Touch& one : touches) {
-            std::uint32_t& texel = owner_(one.x, one.y);
-            if (texel != unclaimed) continue;
-            texel = std::uint32_t(solid_.maps.size());
-            solid_.maps.push_back(
-                border_map(atlas_.corners[one.triangle], points_of(one.triangle), one.x, one.y));
-            solid_.turned.push_back(one.triangle);
-        }
+    /// The number of the map of texel (x, y), whose nearest texel with an owner or a border is
+    /// `place`.
+    std::uint32_t map_at(std::uint32_t x, std::uint32_t y,
+                         const NearestClaims::Place& place) const {
+        const std::uint32_t e = border_(place.x, place.y);
+        return e == unclaimed ? owner_(place.x, place.y) : map_beyond(e, x, y);
     }
 
-    /// The spans of row y: runs of texels whose nearest claimed ones have the same map.
     std::vector<Span> spans_of(const NearestClaims& nearest, std::uint32_t y) const {
         std::vector<NearestClaims::Place> places;
         nearest.find(y, places);
         std::vector<Span> spans;
         for (std::uint32_t x = 0; x < places.size(); ++x) {
-            const std::uint32_t map = owner_(places[x].x, places[x].y);
+            const std::uint32_t map = map_at(x, y, places[x]);
             if (spans.empty() || spans.back().map != map)
                 spans.push_back({x, 1, map});
             else
@@ -145,7 +80,11 @@ class UvRasterizer {
     }
 
     void make_spans() {
-        const NearestClaims nearest(owner_);
+        Image<std::uint32_t> known = owner_;
+        for (std::size_t y = 0; y < known.height(); ++y)
+            for (std::size_t x = 0; x < known.width(); ++x)
+                known(x, y) = std::min(known(x, y), border_(x, y));
+        const NearestClaims nearest(known);
         std::vector<std::vector<Span>> rows(owner_.height());
         for_each_index(
             rows.size(), [&](std::size_t y) { rows[y] = spans_of(nearest, std::uint32_t(y)); }, 16);
@@ -158,10 +97,30 @@ class UvRasterizer {
             solid_.spans.insert(solid_.spans.end(), row.begin(), row.end());
     }
 
+    /// Adds the maps of the zones that spans show, in the order of the edges, and numbers them
+    /// anew.
+    void add_zone_maps() {
+        std::vector<std::uint32_t> number(zones * edges_.size(), unclaimed);
+        for (const Span& span : solid_.spans)
+            if (span.map >= triangles()) number[span.map - triangles()] = 0;
+        for (std::uint32_t i = 0; i < number.size(); ++i) {
+            if (number[i] == unclaimed) continue;
+            const BorderEdge& edge = edges_[i / zones];
+            number[i] = std::uint32_t(solid_.maps.size());
+            solid_.maps.push_back(
+                zone_map(edge, solid_.maps[edge.triangle], BorderZone(1 + i % zones)));
+            solid_.turned.push_back(edge.triangle);
+        }
+        for (Span& span : solid_.spans)
+            if (span.map >= triangles()) span.map = number[span.map - triangles()];
+    }
+
     const Mesh& mesh_;
     const Atlas& atlas_;
     std::span<const Vec3d> positions_;
-    Image<std::uint32_t> owner_;  ///< the map of each claimed texel
+    Image<std::uint32_t> owner_;  ///< the triangle that holds each texel's centre
+    std::vector<BorderEdge> edges_;
+    Image<std::uint32_t> border_;  ///< the nearest border edge of texels beside charts
     SolidAtlas solid_;
 };
 

@@ -10,11 +10,15 @@ namespace burl {
 
 /// The solid points of the texels of an atlas made by layout_uvs(); `positions` are the mesh's
 /// points in the space wanted. A texel whose centre lies in or on a triangle shows the first such
-/// triangle. A texel without one, but touched by triangles that hold no centre at all (slivers, and
-/// charts smaller than a texel), shows the point of the first of these that is nearest to its
-/// centre. Every other texel goes on with the affine map of the triangle of the nearest texel that
-/// has one. A texture in which no triangle touches a texel has no spans.
+/// triangle. Every other texel shows the point of the nearest border (exactly the nearest up to
+/// `exact_reach` texels away), from which the triangle's map goes on by at most one texel, and no
+/// further than the triangle is high: so slivers and charts smaller than a texel show themselves.
+/// Without a triangle in the texture there are no spans.
 SolidAtlas rasterize_uv_charts(const Mesh& mesh, const Atlas& atlas,
                                std::span<const Vec3d> positions);
+
+/// Texels from a chart up to which the nearest border is searched for among all; beyond, among
+/// those of the nearest texels that have one.
+inline constexpr double exact_reach = 8.0;
 
 }  // namespace burl
