@@ -328,7 +328,12 @@ Json BakeJob::report_of(Pipeline& pipeline, const BakePlan& plan, const BakeResu
                         const TextureSynthesizer* synthesizer, Json seconds) const {
     Json report = bake_json(command_.mesh, outputs(plan.paths, result.levels.count), recipe(),
                             pipeline, result, std::move(seconds));
-    if (command_.udim) report["udim_paths"] = plan.paths;
+    if (command_.udim) {
+        // All charts were measured in one tile.
+        Json& coverage = report["atlas"]["coverage"];
+        coverage = coverage.get<double>() / double(plan.paths.size());
+        report["udim_paths"] = plan.paths;
+    }
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)
         report["solid_map"] = {{"file", command_.solid_map}, {"base", {base->x, base->y, base->z}}};
