@@ -75,25 +75,28 @@ std::vector<BorderEdge> border_edges(const Atlas& atlas) {
 }
 
 BorderZone zone_of(const BorderEdge& edge, const Vec2d& at) {
-    if (edge.distance(at) <= edge.way()) return BorderZone::near;
-    const double share = edge.share(at);
-    return share <= 0.0   ? BorderZone::at_from
-           : share >= 1.0 ? BorderZone::at_to
-                          : BorderZone::beside;
+    const double distance = edge.distance(at), share = edge.share(at);
+    if (distance <= edge.way()) return BorderZone::near;
+    const bool far = distance > border_texels_of_charts;
+    if (share <= 0.0) return far ? BorderZone::far_from : BorderZone::at_from;
+    if (share >= 1.0) return far ? BorderZone::far_to : BorderZone::at_to;
+    return far ? BorderZone::far_beside : BorderZone::beside;
 }
 
 TexelMap zone_map(const BorderEdge& edge, const TexelMap& map, BorderZone zone) {
     const auto step = [&](const Vec2d& by) { return by.x * map.step_x + by.y * map.step_y; };
     const Vec2d along = edge.to - edge.from;
     const double squared = glm::dot(along, along);
-    const Vec2d place = zone == BorderZone::at_to ? edge.to : edge.from;
+    const bool at_to = zone == BorderZone::at_to || zone == BorderZone::far_to;
+    const bool beside = zone == BorderZone::beside || zone == BorderZone::far_beside;
+    const double way = zone >= BorderZone::far_beside ? 0.0 : edge.way();
+    const Vec2d place = at_to ? edge.to : edge.from;
     TexelMap result;
     result.anchor_x = std::int32_t(std::floor(place.x));
     result.anchor_y = std::int32_t(std::floor(place.y));
     const Vec2d from_anchor = place - Vec2d(result.anchor_x + 0.5, result.anchor_y + 0.5);
-    result.origin =
-        map(result.anchor_x, result.anchor_y) + step(from_anchor + edge.out * edge.way());
-    if (zone != BorderZone::beside || !(squared > 0.0)) return result;
+    result.origin = map(result.anchor_x, result.anchor_y) + step(from_anchor + edge.out * way);
+    if (!beside || !(squared > 0.0)) return result;
     const Vec3d change = step(along) / squared;
     result.step_x = along.x * change;
     result.step_y = along.y * change;

@@ -10,9 +10,9 @@
 
 namespace burl {
 
-/// The number of texels by which a triangle's map goes on beyond its border, at most; measured in
-/// docs/lab/atlases.md.
-inline constexpr double continued_texels_of_charts = 1.0;
+/// The number of texels by which a triangle's map goes on beyond its border, at most, and the
+/// distance from which on texels show the border itself; measured in docs/lab/atlases.md.
+inline constexpr double continued_texels_of_charts = 1.0, border_texels_of_charts = 3.0;
 
 /// An edge with a triangle on one side only.
 struct BorderEdge {
@@ -33,16 +33,16 @@ struct BorderEdge {
 /// triangle has the same two places the other way round.
 std::vector<BorderEdge> border_edges(const Atlas& atlas);
 
-/// Texels of a border edge's surroundings: those to which the triangle's map goes on, and those
-/// beyond, whose nearest place is within the edge or at one of its ends.
-enum class BorderZone { near, beside, at_from, at_to };
+/// Zones of a border edge's surroundings: that to which the triangle's map goes on, and those
+/// beyond, whose nearest place is within the edge or at one of its ends; far ones show the border.
+enum class BorderZone { near, beside, at_from, at_to, far_beside, far_from, far_to };
 
 /// The zone of the place `at`, of which the edge is the nearest one.
 BorderZone zone_of(const BorderEdge& edge, const Vec2d& at);
 
 /// The map of a zone but `near`: it shows what the triangle's map shows at the end of its way,
-/// straight out from the nearest place of the edge; it is constant but along the edge. `map` is the
-/// triangle's.
+/// straight out from the nearest place of the edge, or that place; it is constant but along the
+/// edge. `map` is the triangle's.
 TexelMap zone_map(const BorderEdge& edge, const TexelMap& map, BorderZone zone);
 
 /// For each texel that nobody owns, the number of the nearest border edge up to `reach` texels

@@ -1,5 +1,7 @@
 #include "atlas/uv/nearest.h"
 
+#include <algorithm>
+
 #include "atlas/base/each_index.h"
 #include "atlas/uv/claims.h"
 
@@ -7,23 +9,22 @@ namespace burl {
 
 namespace {
 
-/// Texels that a task sweeps at least.
-constexpr std::size_t swept_columns = 256;
+/// Columns that a task sweeps side by side, so that it reads memory in order.
+constexpr std::size_t swept_columns = 128;
 
-/// Sets the rows of the nearest claimed texels of one column.
-void sweep_column(const Image<std::uint32_t>& owner, std::size_t x, Image<std::uint32_t>& rows) {
+/// Sets the rows of the nearest claimed texels of columns first to end - 1.
+void sweep_columns(const Image<std::uint32_t>& owner, std::size_t first, std::size_t end,
+                   Image<std::uint32_t>& rows) {
     const auto height = std::uint32_t(owner.height());
-    std::uint32_t last = unclaimed;
-    for (std::uint32_t y = 0; y < height; ++y) {
-        if (owner(x, y) != unclaimed) last = y;
-        rows(x, y) = last;
-    }
-    last = unclaimed;
-    for (std::uint32_t y = height; y-- > 0;) {
-        if (owner(x, y) != unclaimed) last = y;
-        if (last != unclaimed && (rows(x, y) == unclaimed || last - y < y - rows(x, y)))
-            rows(x, y) = last;
-    }
+    for (std::uint32_t y = 0; y < height; ++y)
+        for (std::size_t x = first; x < end; ++x)
+            rows(x, y) = owner(x, y) != unclaimed ? y : y > 0 ? rows(x, y - 1) : unclaimed;
+    for (std::uint32_t y = height - 1; y-- > 0;)
+        for (std::size_t x = first; x < end; ++x) {
+            const std::uint32_t below = rows(x, y + 1), above = rows(x, y);
+            if (below != unclaimed && below > y && (above == unclaimed || below - y < y - above))
+                rows(x, y) = below;
+        }
 }
 
 /// A column's parabola in a row's lower envelope: it is lowest from texel `from` on.
@@ -45,8 +46,12 @@ std::int64_t last_of(const Parabola& a, const Parabola& b) {
 
 NearestClaims::NearestClaims(const Image<std::uint32_t>& owner)
     : rows_(owner.width(), owner.height()) {
-    for_each_index(
-        owner.width(), [&](std::size_t x) { sweep_column(owner, x, rows_); }, swept_columns);
+    for_each_index((owner.width() + swept_columns - 1) / swept_columns,
+                   [&](std::size_t i) {
+                       sweep_columns(owner, i * swept_columns,
+                                     std::min((i + 1) * swept_columns, owner.width()), rows_);
+                   },
+                   1);
 }
 
 void NearestClaims::find(std::uint32_t y, std::vector<Place>& places) const {

@@ -17,7 +17,7 @@ namespace burl {
 namespace {
 
 /// Number of zones of a border edge that have maps of their own.
-constexpr std::uint32_t zones = 3;
+constexpr std::uint32_t zones = 6;
 
 /// Makes the spans and maps of a uv atlas's texture.
 class UvRasterizer {
