@@ -113,10 +113,20 @@ MultipassOptions multipass_options(const BakeCommand& command) {
 }  // namespace
 
 BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
-    : command_(command),
-      recipes_(recipes_of(command)),
-      plan_(plan_of(command, recipes_)),
-      inputs_(files_read(command, recipe())) {
+    : BakeJob(groups_of(command), settings) {}
+
+BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
+    : command_(groups.front().command),
+      pictures_(groups.front().pictures),
+      recipes_(recipes_of(command_)),
+      plan_(plan_of(command_, recipes_)),
+      inputs_(files_read(command_, recipe())) {
+    if (recipe().atlas.kind == AtlasKind::uv)
+        command_.meshes.read.uv_set = command_.uv_set.value_or(0);
+    for (std::size_t g = 1; g < groups.size(); ++g) {
+        others_.push_back(BakeJob({groups[g]}, settings));
+        std::ranges::copy(others_.back().inputs_, std::back_inserter(inputs_));
+    }
     check();
     if (command_.kernel == forward_kernel) std::ranges::for_each(*recipes_, check_forward);
     made_from_ = what_it_is_made_from(settings);
@@ -125,11 +135,11 @@ BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
 std::vector<std::string> BakeJob::outputs(const std::vector<std::string>& paths,
                                           std::uint32_t levels) const {
     std::vector<std::string> outputs;
-    for (const std::string& path : paths)
-        std::ranges::move(
-            output_paths(path, levels, has_normals(), picture_names(recipe(), plan_.material()),
-                         plan_.material().rough_levels()),
-            std::back_inserter(outputs));
+    if (pictures_ != command_.out)
+        outputs = document_outputs(levels);
+    else
+        for (const std::string& path : paths)
+            std::ranges::move(paths_of(path, levels), std::back_inserter(outputs));
     for (const std::string& name : command_.channels)
         outputs.push_back(picture_path(command_.out, name));
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
@@ -166,7 +176,7 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
-    check_uvs();
+    check_uvs(command_, recipe(), plan_, kept_document());
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_idle();
 }
@@ -179,29 +189,6 @@ std::string BakeJob::not_of(const Recipe& recipe) const {
     if (recipe.precision.kind == PrecisionKind::fixed) return "--precision fixed";
     const bool any = command_.kernel == "auto" || command_.kernel == reference_kernel;
     return any ? "" : "--kernel " + command_.kernel;
-}
-
-/// Throws Error(usage) for options of texture coordinates that do not fit the rest.
-void BakeJob::check_uvs() const {
-    const bool uv = recipe().atlas.kind == AtlasKind::uv;
-    for (const char* option :
-         {command_.udim ? "--udim" : "", command_.meshes.read.uv_set > 0 ? "--uv-set" : ""})
-        if (*option && !uv)
-            throw Error(
-                ExitCode::usage,
-                fmt::format("{}: {} does nothing: the {} atlas makes texture coordinates of "
-                            "its own; add --atlas uv, or leave it out",
-                            command_.out, option, to_string(recipe().atlas.kind)));
-    if (const std::string why = why_not_this_extent(recipe().atlas, plan_); uv && !why.empty())
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: a texture of {} x {} texels: {}", command_.out,
-                                recipe().atlas.columns(), recipe().atlas.rows(), why));
-    if (command_.udim && holds_mesh(command_.out))
-        throw Error(
-            ExitCode::usage,
-            fmt::format("{}: --udim writes textures alone, .png or .exr, since one material "
-                        "of these files has one image; your mesh keeps its coordinates",
-                        command_.out));
 }
 
 /// Throws Error(usage) where --displace cannot be had with what else is asked for.
@@ -285,6 +272,10 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
                       {"recipe", Json::parse(to_json(recipe()))},
                       {"options", settings}};
     if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
+    for (const BakeJob& other : others_) {
+        made_from["recipes"].push_back(other.made_from_["recipe"]);
+        for (const Json& input : other.made_from_["inputs"]) made_from["inputs"].push_back(input);
+    }
     if (recipes_->size() > 1) {
         Sha256 hash;
         for (const Recipe& recipe : *recipes_) hash.add(to_json(recipe));
@@ -293,46 +284,64 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
     return made_from;
 }
 
-Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
-                  double reading, LaterBake later) const {
-    const auto start = Clock::now();
+BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
+                              const std::shared_ptr<KeptScene>& kept, LaterBake later) const {
     for (const Recipe& recipe : *recipes_) check_lattice(recipe, pipeline.mesh());
-    const std::string lost = numbers_in_no_picture(recipe(), plan_.packing);
-    if (!holds_mesh(command_.out) && !lost.empty())
-        warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
-                         lost));
     std::optional<MeshPose> pose;
     if (!command_.pose.empty())
         pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
     pipeline.set_threads(command_.threads);
     pipeline.set_kernel(kernel_named(command_.kernel));
     pipeline.set_forward(command_.kernel == forward_kernel);
-    pipeline.set_synthesizer(synthesizer);
+    pipeline.set_synthesizer(std::move(synthesizer));
     pipeline.set_skips(command_.economy.skips());
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
-    const BakePlan plan = command_.udim ? plan_of_tiles(pipeline, plan_, recipe()) : plan_;
+    BakePlan plan = command_.udim ? plan_of_tiles(pipeline, plan_, recipe()) : plan_;
     if (command_.udim) check_files(plan.paths);
     if (plan.paths.size() > 1 && command_.udim) later = std::max(later, LaterBake::mesh);
-    const BakeResult result = bake(pipeline, plan, pose ? &*pose : nullptr, later);
+    plan.kept = kept;
+    if (kept) prepare(*kept, command_.mesh, command_.meshes.read, pictures_);
+    return bake(pipeline, plan, pose ? &*pose : nullptr, later);
+}
+
+Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
+                  double reading, LaterBake later) const {
+    const auto start = Clock::now();
+    const std::string unheld = numbers_in_no_picture(recipe(), plan_.packing);
+    if (!holds_mesh(command_.out) && !unheld.empty())
+        warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
+                         unheld));
+    const std::vector<std::string> flat = losses_before();
+    const std::shared_ptr<KeptScene> kept = kept_scene();
+    if (kept) kept->is_last = others_.empty();
+    BakeResult result = bake_into(pipeline, synthesizer, kept, later);
+    if (!kept) result.lost = flat;
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
+    Json others = Json::array();
+    bake_others(kept, result, others);
     seconds["write"] = result.writing;
     seconds["total"] = reading + seconds_since(start);
-    Json report = report_of(pipeline, plan, result, synthesizer.get(), std::move(seconds));
+    Json report = report_of(pipeline, result, synthesizer.get(), std::move(seconds));
+    if (!others.empty()) report["others"] = std::move(others);
+    if (!result.lost.empty()) {
+        report["lost"] = result.lost;
+        warn(fmt::format("{}: {}", command_.out, losses_sentence(result.lost)));
+    }
     write_record(command_.out, made_from_, result.committed, report);
     return report;
 }
 
 /// The report of a bake, as `burl bake --report` writes it.
-Json BakeJob::report_of(Pipeline& pipeline, const BakePlan& plan, const BakeResult& result,
+Json BakeJob::report_of(Pipeline& pipeline, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
-    Json report = bake_json(command_.mesh, outputs(plan.paths, result.levels.count), recipe(),
+    Json report = bake_json(command_.mesh, outputs(result.paths, result.levels.count), recipe(),
                             pipeline, result, std::move(seconds));
     if (command_.udim) {
         // All charts were measured in one tile.
         Json& coverage = report["atlas"]["coverage"];
-        coverage = coverage.get<double>() / double(plan.paths.size());
-        report["udim_paths"] = plan.paths;
+        coverage = coverage.get<double>() / double(result.paths.size());
+        report["udim_paths"] = result.paths;
     }
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)

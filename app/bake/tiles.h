@@ -1,10 +1,12 @@
 #pragma once
-// UDIM tiles: one bake that writes an image for each tile that a mesh's texture coordinates lie in.
+// What bakes of a mesh's own texture coordinates add: an image for each UDIM tile, and textures
+// that are not square.
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/bake/bake.h"
+#include "app/bake/options.h"
 
 namespace burl {
 
@@ -18,8 +20,9 @@ BakePlan plan_of_tiles(Pipeline& pipeline, const BakePlan& plan, const Recipe& r
 /// must be whole.
 void cut_to_extent(const AtlasOptions& atlas, BakedImage& image, ExportOptions& options);
 
-/// One sentence on why a texture that is not square cannot be had in this file, or with so many
-/// levels; empty where it can.
-std::string why_not_this_extent(const AtlasOptions& atlas, const BakePlan& plan);
+/// Throws Error(usage) for options of texture coordinates that do not fit the rest of the command:
+/// tiles, sets and sizes that are not square; `kept` says whether a glTF goes back into its
+/// document.
+void check_uvs(const BakeCommand& command, const Recipe& recipe, const BakePlan& plan, bool kept);
 
 }  // namespace burl

@@ -295,6 +295,7 @@ void add_metrics(CLI::App& program) {
                    "Measure the file's own texture coordinates (the default for a file that has "
                    "them when no --atlas is asked)");
     command->meshes.add(*verb);
+    command->meshes.add_uv_set(*verb);
     verb->add_flag("--levels", command->levels,
                    "Also measure lookups: error per MIP level, seams, bleeding");
     auto* texture =

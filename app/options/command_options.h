@@ -71,14 +71,18 @@ struct RecipeOptions {
 /// Error(usage) for anything else.
 Precision parse_precision(const std::string& text);
 
-/// The options --weld, --unshare-instances and --uv-set.
+/// The options --weld and --unshare-instances, and those that choose parts of a glTF.
 struct MeshOptions {
     ReadOptions read;
 
     void add(CLI::App& verb);
+    /// Adds --uv-set, which says what is read.
+    void add_uv_set(CLI::App& verb);
+    /// Adds --only-mesh, --only-node and --only-material, also without "only-".
+    void add_choice(CLI::App& verb);
     /// Reads the mesh file or sample ("sample:teapot") and prints the reader's notes on stderr.
-    /// Throws Error as read_mesh does, and usage for --unshare-instances of a mesh that is not
-    /// glTF and for a --uv-set that it does not have.
+    /// Throws Error as read_mesh does, and usage for --unshare-instances or a choice of a mesh that
+    /// is not glTF, and for a set of texture coordinates that it does not have.
     Mesh load(const std::string& path) const;
 };
 

@@ -12,7 +12,7 @@ namespace burl {
 
 /// The number of texels by which a triangle's map goes on beyond its border, at most, and the
 /// distance from which on texels show the border itself; measured in docs/lab/atlases.md.
-inline constexpr double continued_texels_of_charts = 1.0, border_texels_of_charts = 3.0;
+inline constexpr double continued_texels_of_charts = 1.0, border_texels_of_charts = 1.5;
 
 /// An edge with a triangle on one side only.
 struct BorderEdge {

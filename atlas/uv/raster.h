@@ -13,7 +13,7 @@ namespace burl {
 /// triangle. Every other texel shows the point of the nearest border (exactly the nearest up to
 /// `exact_reach` texels away), from which the triangle's map goes on by at most one texel, and no
 /// further than the triangle is high: so slivers and charts smaller than a texel show themselves;
-/// beyond three texels it is the border's own point.
+/// beyond one and a half texels it is the border's own point.
 /// Without a triangle in the texture there are no spans.
 SolidAtlas rasterize_uv_charts(const Mesh& mesh, const Atlas& atlas,
                                std::span<const Vec3d> positions);

@@ -149,9 +149,38 @@ TEST(UvBake, SetsOfCoordinatesAreChosenByNumber) {
             .err;
     };
     EXPECT_NE(refused(mesh, "--atlas uv --uv-set 2").find("has no TEXCOORD_2"), std::string::npos);
-    EXPECT_NE(refused(mesh, "--uv-set 1").find("--uv-set does nothing"), std::string::npos);
+    EXPECT_NE(refused("sample:cube", "--uv-set 1").find("--uv-set is for --atlas uv"),
+              std::string::npos);
     EXPECT_NE(refused("sample:cube", "--atlas uv --uv-set 1").find("is no glTF"),
               std::string::npos);
+}
+
+TEST(UvBake, AGltfKeepsTheCoordinatesThatItIsBakedBy) {
+    test::GltfFile file;
+    const int points = file.positions({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    const std::vector<float> first{0.5f, 0.5f, 0.75f, 0.5f, 0.5f, 0.75f},
+        second{0.1f, 0.2f, 0.9f, 0.3f, 0.2f, 0.7f};
+    file.mesh({{"attributes",
+                {{"POSITION", points},
+                 {"TEXCOORD_0", file.floats(first, "VEC2", 2)},
+                 {"TEXCOORD_1", file.floats(second, "VEC2", 2)}}}});
+    file.node({{"mesh", 0}});
+    const Scratch scratch;
+    const std::string mesh = scratch.write("a.gltf", file.gltf());
+    const Outcome outcome = run_burl(scratch, fmt::format("bake '{}' -o '{}' -s 32 {} --uv-set 1",
+                                                          mesh, scratch / "b.gltf", uv_marble));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (std::uint32_t set : {0u, 1u}) {
+        ReadOptions options;
+        options.uv_set = set;
+        const Mesh baked = read_mesh(scratch / "b.gltf", options);
+        const std::vector<float>& expected = set == 0 ? first : second;
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(baked.corners.uvs[i], Vec2d(expected[2 * i], expected[2 * i + 1])) << set;
+    }
+    const auto document = nlohmann::json::parse(test::slurp(scratch / "b.gltf"));
+    EXPECT_FALSE(document["meshes"][0]["primitives"][0]["attributes"].contains("TEXCOORD_2"));
+    EXPECT_EQ(document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"], 1);
 }
 
 }  // namespace

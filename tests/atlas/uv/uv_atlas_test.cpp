@@ -110,10 +110,10 @@ TEST(UvAtlas, APlaneGoesOnForATexelThenStandsAndIsTheBorderFarAway) {
             if (away <= 1.0) {
                 EXPECT_LT(glm::length(shown - at), 1e-9) << x << ", " << y;
             } else if (at.x == border.x || at.y == border.y) {
-                const Vec2d way = away <= 3.0 ? (at - border) / away : Vec2d(0.0);
+                const Vec2d way = away <= 1.5 ? (at - border) / away : Vec2d(0.0);
                 EXPECT_LT(glm::length(shown - border - way), 1e-9) << x << ", " << y;
             } else {
-                EXPECT_NEAR(glm::length(shown - border), away <= 3.0 ? 1.0 : 0.0, 1e-9);
+                EXPECT_NEAR(glm::length(shown - border), away <= 1.5 ? 1.0 : 0.0, 1e-9);
             }
         }
     EXPECT_EQ(all.atlas.chart_count, 1u);
