@@ -14,9 +14,7 @@
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/parameters.h"
 #include "app/recipe/spelling.h"
-#include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
-#include "atlas/file/file_extension.h"
 
 namespace burl {
 
@@ -218,56 +216,6 @@ Precision parse_precision(const std::string& text) {
                                 "16 bits before the point and 2 to 16 after it, as fixed:8.8",
                                 text));
     return precision;
-}
-
-void MeshOptions::add(CLI::App& verb) {
-    verb.add_option("--weld", read.weld, "Weld points closer than this times the longest side")
-        ->check(in_range(0.0, 0.1));
-    verb.add_flag("--unshare-instances", read.unshare_instances,
-                  "Bake each glTF instance by itself, in scene space");
-}
-
-void MeshOptions::add_uv_set(CLI::App& verb) {
-    verb.add_option("--uv-set", read.uv_set,
-                    "Which texture coordinates of a glTF are read: N of its TEXCOORD_N (default 0)")
-        ->check(CLI::Range(0, 15));
-}
-
-void MeshOptions::add_choice(CLI::App& verb) {
-    verb.add_option("--only-mesh,--mesh", read.choice.meshes,
-                    "Meshes of a glTF to carve, by their names: * stands for any letters, ? for "
-                    "one; may be repeated");
-    verb.add_option("--only-node,--node", read.choice.nodes,
-                    "Nodes of a glTF to carve, with all below them, in the same way");
-    verb.add_option("--only-material,--material", read.choice.materials,
-                    "Materials of a glTF whose surfaces are carved, in the same way");
-}
-
-Mesh MeshOptions::load(const std::string& path) const {
-    if (read.choice.any() && (is_sample_mesh(path) || !has_gltf_extension(path)))
-        throw Error(ExitCode::usage,
-                    fmt::format("--mesh, --node and --material choose parts of a glTF, and {} is "
-                                "none; leave them out",
-                                path));
-    if (read.unshare_instances && (is_sample_mesh(path) || !has_gltf_extension(path)))
-        throw Error(ExitCode::usage,
-                    fmt::format("--unshare-instances: {} is no glTF and has no instances; leave it "
-                                "out",
-                                path));
-    if (read.uv_set > 0 && (is_sample_mesh(path) || !has_gltf_extension(path)))
-        throw Error(ExitCode::usage,
-                    fmt::format("--uv-set: {} is no glTF and has one set of texture coordinates at "
-                                "most; leave it out",
-                                path));
-    Mesh mesh = is_sample_mesh(path) ? sample_mesh(path, read) : read_mesh(path, read);
-    if (read.uv_set > 0 && mesh.corners.uvs.empty())
-        throw Error(ExitCode::usage,
-                    fmt::format("--uv-set {0}: {1} has no TEXCOORD_{0}; name a set "
-                                "that it has, or leave it out",
-                                read.uv_set, path));
-    for (const std::string& sentence : sentences_of(mesh.notes))
-        warn(fmt::format("{}: {}", path, sentence));
-    return mesh;
 }
 
 void add_pose(CLI::App& verb, std::string& pose) {
