@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include "app/bake/texture.h"
+#include "app/bake/tiles.h"
 #include "app/base/stopwatch.h"
 #include "app/export/emit.h"
 #include "app/export/formats.h"
@@ -36,9 +37,22 @@ void tell(const BakePlan& plan, const Mesh& mesh, const std::string& what) {
 /// may not hold the mesh at all; then the error alone is told.
 void tell_shortage(const BakePlan& plan, const Mesh& mesh, const AtlasOptions& atlas,
                    const MeshAtlas* made) {
-    const bool strips = atlas.kind != AtlasKind::patch && atlas.kind != AtlasKind::quad;
-    if (strips == (made != nullptr))
+    if (atlas.columns() != atlas.rows()) return;
+    if (is_strips(atlas.kind) == (made != nullptr))
         tell(plan, mesh, shortage(capacity(mesh.triangles.size(), atlas)));
+}
+
+/// Tells what texture coordinates cannot show.
+void tell_uv_losses(const BakePlan& plan, const Mesh& mesh, const LayoutNotes& notes) {
+    if (notes.overlapped_texels > 0)
+        tell(plan, mesh,
+             fmt::format("{} triangles share {} texels, which show the first of them",
+                         notes.overlapping_triangles, notes.overlapped_texels));
+    if (notes.flat_triangles > 0)
+        tell(plan, mesh,
+             fmt::format("{} of {} triangles have no texture coordinates, or no area in them, and "
+                         "show what is at their corners",
+                         notes.flat_triangles, mesh.triangles.size()));
 }
 
 /// Tells what comes next, at a share of the frame `number`. Throws Error where the bake is to stop.
@@ -164,6 +178,7 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     options.normals = std::move(normals);
     options.material = material_factors(pipeline.recipe(), asked.rough_levels());
     options.pictures = std::move(material.pictures);
+    cut_to_extent(pipeline.atlas().options, result.texture.image, options);
     options.coding = plan.coding;
     options.exr_depth = plan.exr_depth;
     const BakedAtlas& baked = result.texture;
@@ -227,6 +242,7 @@ void commit(std::vector<AtomicFile>& files, BakeResult& result) {
 BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, LaterBake later) {
     BakeResult result;
     result.levels.rule = plan.levels.rule;
+    result.paths = plan.paths;
     const Mesh& mesh = pipeline.mesh();
     set_frame(pipeline, plan, 0);
     const Recipe& recipe = pipeline.recipe();
@@ -242,6 +258,7 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     go_on(plan, 0, "finding the solid's points", 0.25);
     const MeshAtlas& atlas = *made;
     tell(plan, mesh, atlas.atlas().notes.fallback);
+    tell_uv_losses(plan, mesh, atlas.atlas().notes);
     tell_shortage(plan, mesh, recipe.atlas, &atlas);
     if (later == LaterBake::none) stages.connectivity.release_neighbours();
     const SolidAtlas& points = stages.solid.run(context, mesh, atlas, recipe.solid.space);

@@ -67,6 +67,7 @@ enum class LaterBake { none, mesh, atlas };
 /// Results of a bake, for its report; texture and normals are those of the last frame.
 struct BakeResult {
     std::optional<AtlasMetrics> metrics{};   ///< measures of the atlas, if the plan asks for them
+    std::vector<std::string> paths{};        ///< outputs, as in the plan
     std::vector<CommittedFile> committed{};  ///< the files of every frame, solid map and shader
     LevelsAsked levels{};  ///< MIP levels that were written; strip atlases have few
     std::optional<NormalMap> normals{};

@@ -115,7 +115,6 @@ void check_options(const BakeCommand& command) {
         return;
     const char* option = !command.assigned.empty()      ? "--assign"
                          : command.atlas_per != "scene" ? "--atlas-per"
-                         : command.uv_set               ? "--uv-set"
                                                         : nullptr;
     if (option)
         throw Error(ExitCode::usage,

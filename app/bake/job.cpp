@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bake/report.h"
+#include "app/bake/tiles.h"
 #include "app/bake/up_to_date.h"
 #include "app/bake/vertex_colors.h"
 #include "app/base/atomic_file.h"
@@ -79,7 +80,8 @@ BakePlan plan_of(const BakeCommand& command,
     plan.exr_depth = command.depth == 32 ? ExrDepth::full : ExrDepth::half;
     plan.crease_degrees = command.crease_degrees();
     const Recipe& first = recipes->front();
-    plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
+    plan.levels = levels_asked(command.levels, command.level_rule,
+                               std::min(first.atlas.columns(), first.atlas.rows()), plan.kind);
     plan.displaces = command.displace.has_value();
     const std::string& normals =
         (plan.displaces || command.vertex_colors) && command.normals.empty() ? "none"
@@ -125,6 +127,8 @@ BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
       recipes_(recipes_of(command_)),
       plan_(plan_of(command_, recipes_)),
       inputs_(files_read(command_, recipe())) {
+    if (recipe().atlas.kind == AtlasKind::uv)
+        command_.meshes.read.uv_set = command_.uv_set.value_or(0);
     for (std::size_t g = 1; g < groups.size(); ++g) {
         others_.push_back(BakeJob({groups[g]}, settings));
         std::ranges::copy(others_.back().inputs_, std::back_inserter(inputs_));
@@ -134,14 +138,15 @@ BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
     made_from_ = what_it_is_made_from(settings);
 }
 
-std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
+std::vector<std::string> BakeJob::outputs(const std::vector<std::string>& paths,
+                                          std::uint32_t levels) const {
     std::vector<std::string> outputs;
     if (command_.vertex_colors)
         outputs = paths_without_texture(command_.out);
     else if (pictures_ != command_.out)
         outputs = document_outputs(levels);
     else
-        for (const std::string& path : plan_.paths)
+        for (const std::string& path : paths)
             std::ranges::move(paths_of(path, levels), std::back_inserter(outputs));
     for (const std::string& name : command_.channels)
         outputs.push_back(picture_path(command_.out, name, plan_.coding.format));
@@ -151,10 +156,10 @@ std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
 }
 
 /// Throws Error if an output would replace a file that is read or another output.
-void BakeJob::check_files() const {
+void BakeJob::check_files(const std::vector<std::string>& paths) const {
     CommandFiles files;
     files.read(inputs_);
-    for (const std::string& path : outputs())
+    for (const std::string& path : outputs(paths, plan_.levels.count))
         files.write(path, path == command_.solid_map ? ".exr" : "");
     if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
     files.write(record_path(command_.out));
@@ -168,7 +173,7 @@ void BakeJob::check() const {
             fmt::format("{}: --frames writes textures alone, .png or .exr, say; bake the mesh "
                         "once without --frames: its texture coordinates fit every frame",
                         command_.out));
-    check_files();
+    check_files(plan_.paths);
     const AtlasKind kind = recipe().atlas.kind;
     if (command_.compress && kind != AtlasKind::quad)
         throw Error(ExitCode::usage,
@@ -181,6 +186,7 @@ void BakeJob::check() const {
                     "none to leave the bumps out");
     check_displacement();
     check_coding();
+    check_uvs(command_, recipe(), plan_, kept_document());
     if (command_.vertex_colors) check_vertex_colors(command_.out, command_.recipe);
     if (!command_.pose.empty() && command_.meshes.read.choice.any())
         throw Error(
@@ -303,6 +309,11 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
     if (is_obj(command_.out) && !command_.displace)
         plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
+    if (command_.udim) {
+        plan = plan_of_tiles(pipeline, plan, recipes[0]);
+        check_files(plan.paths);
+        if (plan.paths.size() > 1) later = std::max(later, LaterBake::mesh);
+    }
     plan.kept = kept;
     if (pose) plan.pose_keys = pose_keys();
     if (kept)
@@ -347,9 +358,16 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
     if (plan_.vertex_colors)
-        return vertex_colors_json(command_.mesh, outputs(0), recipe, pipeline, std::move(seconds));
-    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe, pipeline, result,
-                            std::move(seconds));
+        return vertex_colors_json(command_.mesh, outputs(plan_.paths, 0), recipe, pipeline,
+                                  std::move(seconds));
+    Json report = bake_json(command_.mesh, outputs(result.paths, result.levels.count), recipe,
+                            pipeline, result, std::move(seconds));
+    if (command_.udim) {
+        // All charts were measured in one tile.
+        Json& coverage = report["atlas"]["coverage"];
+        coverage = coverage.get<double>() / double(result.paths.size());
+        report["udim_paths"] = result.paths;
+    }
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)
         report["solid_map"] = {{"file", command_.solid_map}, {"base", {base->x, base->y, base->z}}};
@@ -365,7 +383,8 @@ std::optional<Json> BakeJob::known_report() const {
     if (!report) return report;
     // The folder may have been moved, or may be named from another working directory.
     (*report)["input"] = command_.mesh;
-    (*report)["outputs"] = outputs(report->at("mip_levels").get<std::uint32_t>());
+    if (!command_.udim)
+        (*report)["outputs"] = outputs(plan_.paths, report->at("mip_levels").get<std::uint32_t>());
     // Normals are measured only if a report is wanted, so the record may lack them.
     if (has_normals() && wants_report() && !report->contains("normals")) return std::nullopt;
     (*report)["up_to_date"] = true;
@@ -376,7 +395,9 @@ void BakeJob::print(const Json& report) const {
     if (!command_.report.empty()) write_json(command_.report, report);
     if (command_.json) write_json("-", report);
     if (!command_.json && !command_.quiet && command_.report != "-")
-        print_summary(report, plan_.paths);
+        print_summary(report, command_.udim
+                                  ? report.at("udim_paths").get<std::vector<std::string>>()
+                                  : plan_.paths);
 }
 
 }  // namespace burl

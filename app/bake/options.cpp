@@ -93,6 +93,16 @@ void add_channels(CLI::App& verb, BakeCommand& command) {
         ->excludes("--compress");
 }
 
+/// Adds --udim, for which every option must work that is not excluded here.
+void add_udim(CLI::App& verb, BakeCommand& command) {
+    auto* udim =
+        verb.add_flag("--udim", command.udim,
+                      "With --atlas uv: write an image for each UDIM tile that the texture "
+                      "coordinates lie in: NAME.1001.png, NAME.1002.png, ...");
+    for (const char* option : {"--frames", "--solid-map", "--channels"})
+        udim->excludes(verb.get_option(option));
+}
+
 /// Adds the options of normal maps and of a material's pictures.
 void add_pictures(CLI::App& verb, BakeCommand& command) {
     verb.add_option("--normals", command.normals,
@@ -148,7 +158,8 @@ void add_document(CLI::App& verb, BakeCommand& command) {
         ->capture_default_str();
     verb.add_option("--uv-set", command.uv_set,
                     "Set of a glTF's texture coordinates that gets the atlas's, the old ones from "
-                    "there on moved up by one; left out: the first free one")
+                    "there on moved up by one; left out: the first free one. With --atlas uv: the "
+                    "set that is read, and stays; left out: 0")
         ->check(CLI::Range(0, 15));
     verb.add_flag("--strict", command.strict,
                   "Fail where the output cannot keep all that the mesh's file holds");
@@ -202,6 +213,7 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     add_channels(verb, command);
     for (const char* option : {"--levels", "--compress", "--solid-map", "--channels"})
         verb.get_option("--frames")->excludes(verb.get_option(option));
+    add_udim(verb, command);
     verb.add_option(
         "--emit-glsl", command.emitted_glsl,
         "Write the whole material as a GLSL 3.30 fragment shader to this file, for engines");

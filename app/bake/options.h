@@ -47,6 +47,7 @@ struct BakeCommand {
     std::string atlas_per = "scene";      ///< scene, mesh or material
     std::optional<std::uint32_t> uv_set;  ///< the set for the atlas's texture coordinates
     bool strict = false;                  ///< whether what an output cannot keep is an error
+    bool udim = false;                    ///< whether each UDIM tile gets an image of its own
     bool json = false, quiet = false;     ///< print the JSON report, or nothing, on stdout
     bool force = false;                   ///< bake even if the outputs are up to date
 

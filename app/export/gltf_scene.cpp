@@ -247,7 +247,8 @@ void add_part(GltfScene& scene, const SceneContent& content, const PartVertices&
 
 TextureFilter baked_filter(const AtlasOptions& atlas) {
     if (atlas.overscan == Overscan::nearest) return TextureFilter::nearest;
-    return atlas.kind == AtlasKind::patch ? TextureFilter::mip : TextureFilter::linear;
+    const bool plain = atlas.kind == AtlasKind::patch || atlas.kind == AtlasKind::uv;
+    return plain ? TextureFilter::mip : TextureFilter::linear;
 }
 
 nlohmann::ordered_json gltf_sampler(const AtlasOptions& atlas) {
