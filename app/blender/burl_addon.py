@@ -649,51 +649,46 @@ def write_obj(mesh, path, y_up):
     normals = normals.reshape(-1, 3)
     if y_up:
         normals = normals[:, [0, 2, 1]] * [1, 1, -1]
+    corners = numpy.stack([triangles, loops], axis=2).reshape(-1, 6) + 1
     with open(path, "w") as file:
-        numpy.savetxt(file, points, fmt="v %.9g %.9g %.9g")
-        numpy.savetxt(file, normals, fmt="vn %.6g %.6g %.6g")
-        corners = numpy.stack([triangles, loops], axis=2).reshape(-1, 6) + 1
-        numpy.savetxt(file, corners, fmt="f %d//%d %d//%d %d//%d")
+        for line, rows in (("v %.9g %.9g %.9g\n", points), ("vn %.6g %.6g %.6g\n", normals), ("f %d//%d %d//%d %d//%d\n", corners)):
+            file.write("".join(line % tuple(row) for row in rows.tolist()))
 
 
 def read_obj(path):
     """Points, texture coordinates and, per triangle, the numbers of its points and of their texture coordinates."""
-    points, places, faces = [], [], []
+    rows = {"v": [], "vt": [], "f": []}
     with open(path) as file:
         for line in file:
-            words = line.split()
-            if not words:
-                continue
-            if words[0] == "v":
-                points.append([float(x) for x in words[1:4]])
-            elif words[0] == "vt":
-                places.append([float(x) for x in words[1:3]])
-            elif words[0] == "f":
-                faces.append([[int(n) - 1 for n in corner.split("/")[:2]] for corner in words[1:4]])
-    return numpy.array(points), numpy.array(places, numpy.float32), numpy.array(faces)
+            kind, _, rest = line.partition(" ")
+            if kind in rows:
+                rows[kind].append(rest)
+    points, places = (numpy.array(" ".join(rows[kind]).split(), float).reshape(-1, width) for kind, width in (("v", 3), ("vt", 2)))
+    corners = numpy.array(" ".join(rows["f"]).replace("/", " ").split(), int).reshape(len(rows["f"]), 3, -1)
+    return points, places.astype(numpy.float32), corners[:, :, :2] - 1
 
 
 def pieces_of(triangles, faces, points):
-    """For each triangle of the mesh the run of the output's faces that show it: one, or several where Burl cut it. Vertices are
-    numbered as in the output."""
+    """For each triangle of the mesh the first of the output's faces that show it, and one more than the last: one face, or several
+    where Burl cut it. Vertices are numbered as in the output."""
     def area(corners):
         a, b, c = points[corners]
         return float(numpy.linalg.norm(numpy.cross(b - a, c - a)))
 
-    runs, at = [], 0
-    for corners in triangles:
-        begin, covered = at, 0.0
-        if at < len(faces) and numpy.array_equal(faces[at, :, 0], corners):
+    shown, at, begins, ends = faces[:, :, 0].tolist(), 0, [], []
+    for corners in triangles.tolist():
+        begins.append(at)
+        if at < len(shown) and shown[at] == corners:
             at += 1
         else:
-            total = area(corners)
-            while at < len(faces) and covered < total * (1 - 1e-6):
-                covered += area(faces[at, :, 0])
+            total, covered = area(corners), 0.0
+            while at < len(shown) and covered < total * (1 - 1e-6):
+                covered += area(shown[at])
                 at += 1
-        runs.append((begin, at))
-    if at != len(faces):
+        ends.append(at)
+    if at != len(shown):
         raise BurlError("The atlas that came back does not fit the mesh.")
-    return runs
+    return numpy.array(begins), numpy.array(ends)
 
 
 def apply_atlas(mesh, path, y_up):
@@ -702,28 +697,26 @@ def apply_atlas(mesh, path, y_up):
     points, places, faces = read_obj(path)
     triangles, loops, polygons = loops_of(mesh)
     own_numbers, used = numbered(points_of(mesh, y_up), triangles)
-    runs = pieces_of(own_numbers[triangles], faces, points)
+    begins, ends = pieces_of(own_numbers[triangles], faces, points)
     if LAYER in mesh.uv_layers:
         mesh.uv_layers.remove(mesh.uv_layers[LAYER])
     layer = mesh.uv_layers.new(name=LAYER, do_init=False)
     if layer is None:
         raise BurlError("The mesh has eight UV layers already; remove one.")
-    uvs, seen, split = numpy.zeros((len(mesh.loops), 2), numpy.float32), {}, set()
-    for (begin, end), corners, polygon in zip(runs, loops.tolist(), polygons.tolist()):
-        if end - begin != 1:
-            split.add(polygon)
-            continue
-        for loop, place in zip(corners, places[faces[begin, :, 1]]):
-            if not numpy.array_equal(seen.setdefault(loop, place), place):
-                split.add(polygon)
-            uvs[loop] = place
+    whole = ends - begins == 1
+    corners = places[faces[begins[whole], :, 1]]
+    uvs = numpy.zeros((len(mesh.loops), 2), numpy.float32)
+    uvs[loops[whole].ravel()] = corners.reshape(-1, 2)
+    apart = (uvs[loops[whole]] != corners).any(axis=(1, 2))
+    split = set(polygons[whole][apart].tolist()) | set(polygons[~whole].tolist())
     layer.data.foreach_set("uv", uvs.ravel())
     mesh.uv_layers.active = layer
     layer.active_render = True
     if split:
         if y_up:
             points = points[:, [0, 2, 1]] * [1, -1, 1]
-        cut_polygons(mesh, split, zip(runs, polygons.tolist()), own_numbers, used, points, places, faces)
+        runs = zip(zip(begins.tolist(), ends.tolist()), polygons.tolist())
+        cut_polygons(mesh, split, runs, own_numbers, used, points, places, faces)
     return len(split)
 
 
