@@ -197,10 +197,11 @@ def main():
     if len(arguments) > 3:
         with open(arguments[3], "w") as file:
             rows = ",\n".join(json.dumps(row) for row in table)
-            file.write(f'{{"points": {json.dumps(points[:12].astype(float).round(9).tolist())},\n"cases": [\n{rows}]}}\n')
+            file.write(f'{{"points": {json.dumps(points[:12].astype(float).tolist())},\n"cases": [\n{rows}]}}\n')
     print(f"{len(bad)} of {len(cases)} cases disagree")
     if bad:
         sys.exit(1)
 
 
-main()
+if __name__ == "__main__":
+    main()
