@@ -109,6 +109,12 @@ std::vector<AtomicFile> files_of_material(Pipeline& pipeline, const BakePlan& pl
     return files;
 }
 
+/// Carves the document that the mesh was read from.
+std::vector<AtomicFile> files_of_kept(Pipeline& pipeline, KeptScene& kept,
+                                      const SceneContent& content) {
+    return kept_files(kept, content, corner_origins(pipeline.mesh(), pipeline.mesh_atlas()));
+}
+
 /// Writes the files of the frame `number`, which are still to be committed. If `releases`, the
 /// solid points are freed before the files are written, whose buffers are as large.
 std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan, std::size_t number,
@@ -142,9 +148,12 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     const Atlas& atlas = baked.packed ? *baked.packed : pipeline.atlas();
     const Mesh& rest = pipeline.atlas_mesh();
     std::vector<AtomicFile> files =
-        plan.displaces ? scene_files(path, displaced_mesh(rest, pipeline.recipe(), pipeline.mesh()),
-                                     atlas, baked.image, options)
-                       : scene_files(path, rest, atlas, baked.image, options);
+        plan.kept ? files_of_kept(pipeline, *plan.kept, {path, rest, atlas, baked.image, options})
+        : plan.displaces
+            ? scene_files(path, displaced_mesh(rest, pipeline.recipe(), pipeline.mesh()), atlas,
+                          baked.image, options)
+            : scene_files(path, rest, atlas, baked.image, options);
+    if (plan.kept) result.lost = plan.kept->document.losses;
     result.levels.count = std::uint32_t(options.levels.size());
     result.normals = std::move(options.normals);
     result.writing += seconds_since(writing);

@@ -2,6 +2,7 @@
 // One bake from a mesh to its files: mesh -> connectivity -> atlas -> solid points -> field and
 // colour -> levels -> files. `burl bake`, `burl batch` and the editor's export are this function.
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -10,6 +11,7 @@
 #include "app/bake/material.h"
 #include "app/bake/texture.h"
 #include "app/export/export.h"
+#include "app/kept/scene.h"
 #include "app/pipeline/pipeline.h"
 #include "atlas/measure/atlas_measures.h"
 
@@ -36,8 +38,11 @@ struct BakePlan {
     std::string solid_map{};              ///< path of the solid map; empty: none
     std::string shader{};                 ///< path of the texture as GLSL; empty: none
     std::vector<std::string> channels{};  ///< masks written beside (app/pipeline/mask_picture.h)
-    bool measures = true;                 ///< whether the atlas is measured for a report
-    int threads = 0;                      ///< number of threads for the solid map; 0: all
+    /// The document that gets the mesh back with its texture; null: the output is a scene of its
+    /// own.
+    std::shared_ptr<KeptScene> kept{};
+    bool measures = true;  ///< whether the atlas is measured for a report
+    int threads = 0;       ///< number of threads for the solid map; 0: all
     /// Is told what comes next, and which share of the bake is done, 0 to 1; empty: nobody is.
     std::function<void(const char* next, double share)> reached{};
     /// A request by another thread to stop: bake() then throws Error(runtime) soon. Files of frames
@@ -62,6 +67,7 @@ struct BakeResult {
     std::optional<NormalMap> normals{};
     BakedAtlas texture{};  ///< texture; empty if it was written in bands (comes_in_bands)
     std::optional<Vec3d> solid_base;  ///< solid map's base (app/export/emit.h)
+    std::vector<std::string> lost{};  ///< what of the mesh's document the output does not hold
     double writing = 0.0;             ///< seconds spent on files rather than on stages
 };
 

@@ -24,6 +24,7 @@
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
 
 namespace burl {
 
@@ -111,22 +112,50 @@ MultipassOptions multipass_options(const BakeCommand& command) {
 }  // namespace
 
 BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
-    : command_(command),
-      recipes_(recipes_of(command)),
-      plan_(plan_of(command, recipes_)),
-      inputs_(files_read(command, recipe())) {
+    : BakeJob(groups_of(command), settings) {}
+
+BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
+    : command_(groups.front().command),
+      pictures_(groups.front().pictures),
+      recipes_(recipes_of(command_)),
+      plan_(plan_of(command_, recipes_)),
+      inputs_(files_read(command_, recipe())) {
+    for (std::size_t g = 1; g < groups.size(); ++g) {
+        others_.push_back(BakeJob({groups[g]}, settings));
+        std::ranges::copy(others_.back().inputs_, std::back_inserter(inputs_));
+    }
     check();
     if (command_.kernel == forward_kernel) std::ranges::for_each(*recipes_, check_forward);
     made_from_ = what_it_is_made_from(settings);
 }
 
+std::vector<std::string> BakeJob::paths_of(const std::string& out, std::uint32_t levels) const {
+    return output_paths(out, levels, has_normals(), picture_names(recipe(), plan_.material()),
+                        plan_.material().rough_levels());
+}
+
+/// The files of a document with several atlases: those of the document, then each atlas's pictures.
+std::vector<std::string> BakeJob::document_outputs(std::uint32_t levels) const {
+    const bool has_buffer = paths_of(command_.out, 0).size() > 1;  // .gltf, whose second is .bin
+    const std::ptrdiff_t own = has_buffer ? 2 : 1;
+    std::vector<std::string> outputs = paths_of(command_.out, 0);
+    outputs.resize(std::size_t(own));
+    const auto add_pictures = [&](const BakeJob& job) {
+        const std::vector<std::string> paths = job.paths_of(job.pictures_, levels);
+        outputs.insert(outputs.end(), paths.begin() + own, paths.end());
+    };
+    add_pictures(*this);
+    std::ranges::for_each(others_, add_pictures);
+    return outputs;
+}
+
 std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     std::vector<std::string> outputs;
-    for (const std::string& path : plan_.paths)
-        std::ranges::move(
-            output_paths(path, levels, has_normals(), picture_names(recipe(), plan_.material()),
-                         plan_.material().rough_levels()),
-            std::back_inserter(outputs));
+    if (pictures_ != command_.out)
+        outputs = document_outputs(levels);
+    else
+        for (const std::string& path : plan_.paths)
+            std::ranges::move(paths_of(path, levels), std::back_inserter(outputs));
     for (const std::string& name : command_.channels)
         outputs.push_back(picture_path(command_.out, name));
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
@@ -258,6 +287,10 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
                       {"recipe", Json::parse(to_json(recipe()))},
                       {"options", settings}};
     if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
+    for (const BakeJob& other : others_) {
+        made_from["recipes"].push_back(other.made_from_["recipe"]);
+        for (const Json& input : other.made_from_["inputs"]) made_from["inputs"].push_back(input);
+    }
     if (recipes_->size() > 1) {
         Sha256 hash;
         for (const Recipe& recipe : *recipes_) hash.add(to_json(recipe));
@@ -266,29 +299,92 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
     return made_from;
 }
 
-Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
-                  double reading, LaterBake later) const {
-    const auto start = Clock::now();
+/// Whether the mesh goes back into the document that it was read from.
+bool BakeJob::kept_document() const {
+    return command_.pose.empty() && !plan_.displaces && keeps_document(command_.mesh, command_.out);
+}
+
+/// The document that the bake goes back to; null where the output is a scene of its own.
+std::shared_ptr<KeptScene> BakeJob::kept_scene() const {
+    if (!kept_document()) return nullptr;
+    auto kept = std::make_shared<KeptScene>(read_file(command_.mesh));
+    kept->uv_set = command_.uv_set;
+    kept->is_strict = command_.strict;
+    return kept;
+}
+
+BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
+                              const std::shared_ptr<KeptScene>& kept, LaterBake later) const {
     for (const Recipe& recipe : *recipes_) check_lattice(recipe, pipeline.mesh());
-    const std::string lost = numbers_in_no_picture(recipe(), plan_.packing);
-    if (!holds_mesh(command_.out) && !lost.empty())
-        warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
-                         lost));
     std::optional<MeshPose> pose;
     if (!command_.pose.empty())
         pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
     pipeline.set_threads(command_.threads);
     pipeline.set_kernel(kernel_named(command_.kernel));
     pipeline.set_forward(command_.kernel == forward_kernel);
-    pipeline.set_synthesizer(synthesizer);
+    pipeline.set_synthesizer(std::move(synthesizer));
     pipeline.set_skips(command_.economy.skips());
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
-    const BakeResult result = bake(pipeline, plan_, pose ? &*pose : nullptr, later);
+    BakePlan plan = plan_;
+    plan.kept = kept;
+    if (kept) {
+        kept->origins = read_gltf_origins(read_file(command_.mesh), command_.meshes.read);
+        kept->pictures = lower_extension(command_.out) == ".glb" ? "" : pictures_;
+    }
+    return bake(pipeline, plan, pose ? &*pose : nullptr, later);
+}
+
+/// Bakes the document's further atlases; the files of all are committed with the last.
+void BakeJob::bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& result,
+                          Json& reports) const {
+    for (const BakeJob& other : others_) {
+        const auto start = Clock::now();
+        Pipeline pipeline(other.command_.load_mesh());
+        const double reading = seconds_since(start);
+        kept->is_last = &other == &others_.back();
+        const auto synthesizer = other.synthesizer();
+        const BakeResult one = other.bake_into(pipeline, synthesizer, kept, LaterBake::none);
+        Json seconds = {{"read", reading}, {"total", seconds_since(start)}};
+        reports.push_back(other.report_of(pipeline, one, synthesizer.get(), std::move(seconds)));
+        result.committed.insert(result.committed.end(), one.committed.begin(), one.committed.end());
+        result.lost = one.lost;
+    }
+}
+
+/// Says what of the mesh's document the output does not hold; with --strict, before the bake.
+std::vector<std::string> BakeJob::losses_before() const {
+    if (!holds_mesh(command_.out) || kept_document()) return {};
+    const std::vector<std::string> losses = losses_of_flat(command_.mesh);
+    if (!losses.empty() && command_.strict)
+        throw Error(ExitCode::unsupported,
+                    fmt::format("{}: --strict: {}", command_.out, losses_sentence(losses)));
+    return losses;
+}
+
+Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
+                  double reading, LaterBake later) const {
+    const auto start = Clock::now();
+    const std::string unheld = numbers_in_no_picture(recipe(), plan_.packing);
+    if (!holds_mesh(command_.out) && !unheld.empty())
+        warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
+                         unheld));
+    const std::vector<std::string> flat = losses_before();
+    const std::shared_ptr<KeptScene> kept = kept_scene();
+    if (kept) kept->is_last = others_.empty();
+    BakeResult result = bake_into(pipeline, synthesizer, kept, later);
+    if (!kept) result.lost = flat;
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
+    Json others = Json::array();
+    bake_others(kept, result, others);
     seconds["write"] = result.writing;
     seconds["total"] = reading + seconds_since(start);
     Json report = report_of(pipeline, result, synthesizer.get(), std::move(seconds));
+    if (!others.empty()) report["others"] = std::move(others);
+    if (!result.lost.empty()) {
+        report["lost"] = result.lost;
+        warn(fmt::format("{}: {}", command_.out, losses_sentence(result.lost)));
+    }
     write_record(command_.out, made_from_, result.committed, report);
     return report;
 }

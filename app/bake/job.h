@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bake/bake.h"
+#include "app/bake/groups.h"
 #include "app/bake/options.h"
 #include "app/measure/report.h"
 
@@ -54,6 +55,16 @@ class BakeJob {
     void print(const Json& report) const;
 
   private:
+    BakeJob(std::vector<BakeGroup> groups, const Json& settings);
+    std::shared_ptr<KeptScene> kept_scene() const;
+    BakeResult bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
+                         const std::shared_ptr<KeptScene>& kept, LaterBake later) const;
+    void bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& result,
+                     Json& reports) const;
+    bool kept_document() const;
+    std::vector<std::string> losses_before() const;
+    std::vector<std::string> paths_of(const std::string& out, std::uint32_t levels) const;
+    std::vector<std::string> document_outputs(std::uint32_t levels) const;
     Json report_of(Pipeline& pipeline, const BakeResult& result,
                    const TextureSynthesizer* synthesizer, Json seconds) const;
     std::vector<std::string> outputs(std::uint32_t levels) const;
@@ -67,6 +78,8 @@ class BakeJob {
     bool wants_report() const { return command_.json || !command_.report.empty(); }
 
     BakeCommand command_;
+    std::string pictures_;         ///< the path after which pictures beside a .gltf are named
+    std::vector<BakeJob> others_;  ///< further atlases of the same document
     std::shared_ptr<const std::vector<Recipe>> recipes_;  ///< one per frame, which plan_ gives, too
     BakePlan plan_;
     std::vector<std::string> inputs_;

@@ -120,6 +120,31 @@ void add_pictures(CLI::App& verb, BakeCommand& command) {
         ->default_str("40");
 }
 
+/// Adds the options of a glTF that is baked back into its own document.
+void add_document(CLI::App& verb, BakeCommand& command) {
+    command.meshes.add_choice(verb);
+    verb.add_option("--assign", command.assigned,
+                    "GLOB=RECIPE: the recipe for materials of a glTF with such names; may be "
+                    "repeated, the first that matches counts. Other materials stay as they are, "
+                    "unless --recipe says more")
+        ->check([](const std::string& text) {
+            const std::size_t at = text.find('=');
+            const bool whole = at != std::string::npos && at > 0 && at + 1 < text.size();
+            return whole ? "" : fmt::format("\"{}\" is not GLOB=RECIPE", text);
+        });
+    verb.add_option("--atlas-per", command.atlas_per,
+                    "What of a glTF shares an atlas and its textures: all that has one recipe in "
+                    "the scene, each mesh, or each material")
+        ->check(one_of({"scene", "mesh", "material"}))
+        ->capture_default_str();
+    verb.add_option("--uv-set", command.uv_set,
+                    "Set of a glTF's texture coordinates that gets the atlas's, the old ones from "
+                    "there on moved up by one; left out: the first free one")
+        ->check(CLI::Range(0, 15));
+    verb.add_flag("--strict", command.strict,
+                  "Fail where the output cannot keep all that the mesh's file holds");
+}
+
 /// Whether no output depends on the option, or it is part of the recipe, or names the mesh or the
 /// output.
 bool counts_elsewhere(const std::string& name) {
@@ -138,11 +163,15 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     verb.add_option("mesh", command.mesh, "Mesh file: .obj .ply .stl .off .gltf .glb")->required();
     verb.add_option("-o,--output", command.out, "Output file; its extension says what")->required();
     command.recipe.add_recipe(verb);
+    verb.get_option("--recipe")->each([&command](const std::string&) {
+        command.recipe_given = true;
+    });
     command.recipe.add_parameters(verb);
     command.animation.add(verb);
     command.recipe.add_filter(verb);
     command.recipe.add_precision(verb, "float32");
     command.meshes.add(verb);
+    add_document(verb, command);
     add_pose(verb, command.pose);
     verb.add_option("--levels", command.levels,
                     "MIP levels to write besides the texture: a number, all, or all by a rule, "

@@ -1,5 +1,6 @@
 #pragma once
 // The command of `burl bake` and its options, which are also those of an entry of `burl batch`.
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,9 +37,15 @@ struct BakeCommand {
     std::string gl_precision, gl_randomizer;  ///< words of multipass_synth; empty: its defaults
     bool gl_equalize = false;
     std::optional<double> compress;
-    std::optional<int> displace;       ///< how often triangles are split before displacement
-    bool json = false, quiet = false;  ///< print the JSON report, or nothing, on stdout
-    bool force = false;                ///< bake even if the outputs are up to date
+    std::optional<int> displace;  ///< how often triangles are split before displacement
+    /// Recipes for materials of a glTF, GLOB=RECIPE, the first that matches counts.
+    std::vector<std::string> assigned;
+    bool recipe_given = false;            ///< whether --recipe was
+    std::string atlas_per = "scene";      ///< scene, mesh or material
+    std::optional<std::uint32_t> uv_set;  ///< the set for the atlas's texture coordinates
+    bool strict = false;                  ///< whether what an output cannot keep is an error
+    bool json = false, quiet = false;     ///< print the JSON report, or nothing, on stdout
+    bool force = false;                   ///< bake even if the outputs are up to date
 
     int bits() const { return depth.value_or(8); }
     /// The mesh at rest, split as --displace says. Throws Error as MeshOptions::load and

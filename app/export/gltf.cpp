@@ -1,15 +1,14 @@
-// The containers of glTF 2.0; gltf_scene.cpp makes the document. The JSON and buffers are written
+// Files of glTF 2.0; gltf_scene.cpp makes the document. The JSON and buffers are written
 // here rather than by a library, so that the texture is a plain bufferView (not a data URI), bounds
 // are those of the floats written, and every byte goes through AtomicFile.
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iterator>
-#include <limits>
 
 #include <nlohmann/json.hpp>
 
+#include "app/export/gltf_file.h"
 #include "app/export/gltf_scene.h"
 #include "app/image/image_io.h"
 #include "app/surface/normals.h"
@@ -20,53 +19,6 @@ namespace burl {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string dump(const Json& json, int indent) {
-    return json.dump(indent, ' ', false,
-                     Json::error_handler_t::replace);  // invalid UTF-8 becomes U+FFFD
-}
-
-/// The name with everything but RFC 3986's unreserved characters escaped.
-std::string percent_encoded(const std::string& name) {
-    std::string uri;
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool plain = (byte >= '0' && byte <= '9') || (byte >= 'A' && byte <= 'Z') ||
-                           (byte >= 'a' && byte <= 'z') || byte == '-' || byte == '.' ||
-                           byte == '_' || byte == '~';
-        uri += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
-    }
-    return uri;
-}
-
-constexpr std::uint64_t most_bytes = std::numeric_limits<std::uint32_t>::max();
-
-Error too_long(const std::string& path) {
-    return Error(ExitCode::unsupported,
-                 fmt::format("{}: the result has more than 4 GiB, which no .glb holds; write a "
-                             ".gltf instead",
-                             path));
-}
-
-template <std::size_t Count>
-std::array<std::uint8_t, 4 * Count> as_words(const std::array<std::uint64_t, Count>& words) {
-    std::array<std::uint8_t, 4 * Count> bytes{};
-    for (std::size_t k = 0; k < bytes.size(); ++k)
-        bytes[k] = std::uint8_t(words[k / 4] >> (8 * (k % 4)));
-    return bytes;
-}
-
-/// The container's bytes before the buffer: file header, JSON chunk and the buffer chunk's header.
-/// The JSON is padded with spaces to `length` bytes, a multiple of 4.
-std::string glb_head(const std::string& json, std::size_t length, std::uint64_t binary_size) {
-    std::string head;
-    const auto append = [&](const auto& bytes) { head.append(bytes.begin(), bytes.end()); };
-    append(as_words<5>({0x46546C67, 2, 28 + length + binary_size, length, 0x4E4F534A}));
-    head += json;
-    head.resize(20 + length, ' ');
-    append(as_words<2>({binary_size, 0x004E4942}));
-    return head;
-}
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -85,7 +37,7 @@ void write_image(AtomicFile& file, GltfScene& scene, const SceneImage& image, st
     std::uint64_t size = 0;
     image.encode([&](std::span<const std::uint8_t> bytes) {
         size += bytes.size();
-        if (scene.binary_size + size > most_bytes) throw too_long(file.target());
+        if (scene.binary_size + size > most_glb_bytes) throw glb_too_long(file.target());
         file.write(bytes);
     });
     file.write(padding_after(size));
@@ -126,17 +78,17 @@ AtomicFile write_glb(const SceneContent& content) {
                                         {"bufferView", scene.json["bufferViews"].size()},
                                         {"mimeType", "image/png"}});
         scene.json["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", most_bytes}, {"byteLength", most_bytes}});
+            {{"buffer", 0}, {"byteOffset", most_glb_bytes}, {"byteLength", most_glb_bytes}});
     }
-    scene.json["buffers"] = Json::array({{{"byteLength", most_bytes}}});
-    const std::size_t length = (dump(scene.json, -1).size() + 3) / 4 * 4;
+    scene.json["buffers"] = Json::array({{{"byteLength", most_glb_bytes}}});
+    const std::size_t length = (gltf_text(scene.json, -1).size() + 3) / 4 * 4;
     AtomicFile file(content.path);
     file.write(glb_head("", length, 0));
     write_meshes(file, scene);
     for (const SceneImage& image : images) write_image(file, scene, image, view++);
     scene.json["buffers"][0]["byteLength"] = scene.binary_size;
-    const std::string head = glb_head(dump(scene.json, -1), length, scene.binary_size);
-    if (head.size() + scene.binary_size > most_bytes) throw too_long(content.path);
+    const std::string head = glb_head(gltf_text(scene.json, -1), length, scene.binary_size);
+    if (head.size() + scene.binary_size > most_glb_bytes) throw glb_too_long(content.path);
     file.overwrite(0, bytes_of(head));
     return file;
 }
@@ -147,20 +99,18 @@ std::vector<AtomicFile> write_gltf(const SceneContent& content) {
     const auto beside = [&](const std::string& extension) {
         return std::filesystem::path(content.path).replace_extension(extension).string();
     };
-    const auto uri = [](const std::string& file) {
-        return percent_encoded(std::filesystem::path(file).filename().string());
-    };
     for (const std::vector<SceneImage>& texture : scene_textures(content, beside(".png")))
         for (const SceneImage& image : texture)
-            scene.json["images"].push_back(
-                {{"name", image.name}, {"uri", uri(image.path)}, {"mimeType", "image/png"}});
+            scene.json["images"].push_back({{"name", image.name},
+                                            {"uri", relative_uri(image.path)},
+                                            {"mimeType", "image/png"}});
     const std::string buffer = beside(".bin");
     scene.json["buffers"] =
-        Json::array({{{"uri", uri(buffer)}, {"byteLength", scene.binary_size}}});
+        Json::array({{{"uri", relative_uri(buffer)}, {"byteLength", scene.binary_size}}});
     std::vector<AtomicFile> files;
     add_images(files, content, beside(".png"));
     write_meshes(files.emplace_back(buffer), scene);
-    files.emplace_back(content.path).write(dump(scene.json, 2) + "\n");
+    files.emplace_back(content.path).write(gltf_text(scene.json, 2) + "\n");
     return files;
 }
 

@@ -36,17 +36,22 @@ Json extensions(const Material& m) {
     return json;
 }
 
-/// The material, double-sided: a solid texture is the same on both sides, and open sheets and
-/// meshes with inconsistent winding look whole.
-Json material(const SceneContent& content) {
+}  // namespace
+
+Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
     const Material& m = content.options.material;
+    const auto texture_info = [&](std::size_t number) {
+        Json info{{"index", places.textures + number}};
+        if (places.uv_set > 0) info["texCoord"] = places.uv_set;
+        return info;
+    };
     Json json{{"name", material_name(content)},
               {"pbrMetallicRoughness",
-               {{"baseColorTexture", {{"index", 0}}},
+               {{"baseColorTexture", texture_info(0)},
                 {"metallicFactor", m.metallic},
                 {"roughnessFactor", m.roughness}}},
               {"doubleSided", true}};
-    if (content.options.normals) json["normalTexture"] = {{"index", 1}};
+    if (content.options.normals) json["normalTexture"] = texture_info(1);
     if (m.emissive != Rgb8{}) json["emissiveFactor"] = light(m.emissive);
     if (has_alpha(content.image)) {
         const bool mask = m.alpha == AlphaMode::mask;
@@ -57,18 +62,17 @@ Json material(const SceneContent& content) {
     std::size_t texture = content.options.normals ? 2 : 1;
     for (const ExportPicture& picture : content.options.pictures) {
         for (const std::string& slot : picture.slots)
-            json[Json::json_pointer(slot)] = {{"index", texture}};
+            json[Json::json_pointer(slot)] = texture_info(texture);
         ++texture;
     }
     return json;
 }
 
-/// The textures, whose images follow one another with their levels.
-Json textures(const SceneContent& content) {
+Json gltf_textures(const SceneContent& content, const GltfPlaces& places) {
     Json result = Json::array();
-    std::size_t image = 0;
+    std::size_t image = places.images;
     for (const std::vector<SceneImage>& texture : scene_textures(content, "")) {
-        Json json{{"sampler", 0}, {"source", image}};
+        Json json{{"sampler", places.sampler}, {"source", image}};
         for (std::size_t l = 1; l < texture.size(); ++l)
             json["extras"]["burl_levels"].push_back(image + l);
         image += texture.size();
@@ -77,15 +81,13 @@ Json textures(const SceneContent& content) {
     return result;
 }
 
-}  // namespace
-
 void add_material(Json& document, const SceneContent& content) {
-    Json one = material(content);
+    Json one = gltf_material(content, {});
     if (one.contains("extensions"))
         for (const auto& item : one["extensions"].items())
             document["extensionsUsed"].push_back(item.key());
     document["materials"] = Json::array({std::move(one)});
-    document["textures"] = textures(content);
+    document["textures"] = gltf_textures(content, {});
 }
 
 }  // namespace burl

@@ -208,20 +208,14 @@ void add_part(GltfScene& scene, const SceneContent& content, const PartVertices&
     }
 }
 
-Json asset(const SceneContent& content) {
-    const AtlasOptions& atlas = content.atlas.options;
-    const std::string& recipe = content.options.recipe_json;
-    Json burl{{"atlas", to_string(atlas.kind)},
-              {"overscan", to_string(atlas.overscan)},
-              {"size", atlas.size}};
-    if (atlas.kind == AtlasKind::quad) burl["weight"] = to_string(atlas.weight);
-    if (!recipe.empty()) burl["recipe"] = recipe;
-    return {{"version", "2.0"},
-            {"generator", "Burl " BURL_VERSION},
-            {"extras", {{"burl", std::move(burl)}}}};
+}  // namespace
+
+TextureFilter baked_filter(const AtlasOptions& atlas) {
+    if (atlas.overscan == Overscan::nearest) return TextureFilter::nearest;
+    return atlas.kind == AtlasKind::patch ? TextureFilter::mip : TextureFilter::linear;
 }
 
-Json sampler(const AtlasOptions& atlas) {
+nlohmann::ordered_json gltf_sampler(const AtlasOptions& atlas) {
     const TextureFilter wanted = baked_filter(atlas);
     const int filter = wanted == TextureFilter::nearest ? gl_nearest : gl_linear;
     const bool levels = wanted == TextureFilter::mip;
@@ -231,11 +225,15 @@ Json sampler(const AtlasOptions& atlas) {
             {"wrapT", int(gl_clamp_to_edge)}};
 }
 
-}  // namespace
-
-TextureFilter baked_filter(const AtlasOptions& atlas) {
-    if (atlas.overscan == Overscan::nearest) return TextureFilter::nearest;
-    return atlas.kind == AtlasKind::patch ? TextureFilter::mip : TextureFilter::linear;
+nlohmann::ordered_json burl_extras(const SceneContent& content) {
+    const AtlasOptions& atlas = content.atlas.options;
+    const std::string& recipe = content.options.recipe_json;
+    Json burl{{"atlas", to_string(atlas.kind)},
+              {"overscan", to_string(atlas.overscan)},
+              {"size", atlas.size}};
+    if (atlas.kind == AtlasKind::quad) burl["weight"] = to_string(atlas.weight);
+    if (!recipe.empty()) burl["recipe"] = recipe;
+    return burl;
 }
 
 std::span<const std::uint8_t> padding_after(std::uint64_t bytes) {
@@ -245,7 +243,9 @@ std::span<const std::uint8_t> padding_after(std::uint64_t bytes) {
 
 GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVertices> vertices) {
     GltfScene scene;
-    scene.json["asset"] = asset(content);
+    scene.json["asset"] = {{"version", "2.0"},
+                           {"generator", "Burl " BURL_VERSION},
+                           {"extras", {{"burl", burl_extras(content)}}}};
     scene.json["scene"] = 0;
     scene.json["scenes"] = Json::array({{{"nodes", Json::array()}}});
     for (const char* array : {"nodes", "meshes", "accessors", "bufferViews"}) {
@@ -254,7 +254,7 @@ GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVert
     UniqueNames names;
     for (const PartVertices& part : vertices) add_part(scene, content, part, names);
     add_material(scene.json, content);
-    scene.json["samplers"] = Json::array({sampler(content.atlas.options)});
+    scene.json["samplers"] = Json::array({gltf_sampler(content.atlas.options)});
     return scene;
 }
 

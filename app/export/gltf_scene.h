@@ -29,6 +29,12 @@ struct GltfScene {
 /// borders that viewers may use MIP levels of their own.
 TextureFilter baked_filter(const AtlasOptions& atlas);
 
+/// A glTF sampler for it.
+nlohmann::ordered_json gltf_sampler(const AtlasOptions& atlas);
+
+/// What `asset.extras.burl` says of a bake: its atlas, and its recipe where there is one.
+nlohmann::ordered_json burl_extras(const SceneContent& content);
+
 /// Builds meshes (one per part, one primitive each), nodes (one per placement), material, sampler
 /// and textures. Images are left to the caller: those of scene_textures, one after the other. A
 /// texture's extras.burl_levels lists its levels. The scene refers to the vertices, which must

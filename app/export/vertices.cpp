@@ -165,25 +165,6 @@ double safe_scale(const Box3& box) {
     return std::abs(exponent) <= 60 ? 1.0 : std::ldexp(1.0, exponent);
 }
 
-/// Per triangle the index of its block; empty unless the atlas is of the kind quad.
-std::vector<std::uint32_t> blocks_of_triangles(const Atlas& atlas) {
-    std::vector<std::uint32_t> result;
-    if (atlas.options.kind != AtlasKind::quad) return result;
-    result.resize(atlas.corners.size());
-    for (std::uint32_t b = 0; b < atlas.blocks.size(); ++b) {
-        const Block& block = atlas.blocks[b];
-        result[std::size_t(block.lower)] = b;
-        if (block.upper >= 0) result[std::size_t(block.upper)] = b;
-    }
-    return result;
-}
-
-std::array<float, 4> rectangle_of(const Atlas& atlas, const Block& block) {
-    const Vec2d size = atlas.extent(), low = Vec2d(block.x, block.y) / size,
-                high = Vec2d(block.x + block.width, block.y + block.height) / size;
-    return {float(low.x), float(low.y), float(high.x), float(high.y)};
-}
-
 /// Numbers a part's vertices and replaces each corner's entry of `first` by its vertex number.
 /// Returns the first corner of each vertex.
 std::vector<std::uint32_t> number_vertices(const Part& part, std::vector<std::uint32_t>& first) {
@@ -280,6 +261,24 @@ void place_target(const PartVertices& vertices, const Mat3d& linear,
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> blocks_of_triangles(const Atlas& atlas) {
+    std::vector<std::uint32_t> result;
+    if (atlas.options.kind != AtlasKind::quad) return result;
+    result.resize(atlas.corners.size());
+    for (std::uint32_t b = 0; b < atlas.blocks.size(); ++b) {
+        const Block& block = atlas.blocks[b];
+        result[std::size_t(block.lower)] = b;
+        if (block.upper >= 0) result[std::size_t(block.upper)] = b;
+    }
+    return result;
+}
+
+std::array<float, 4> rectangle_of(const Atlas& atlas, const Block& block) {
+    const Vec2d size = atlas.extent(), low = Vec2d(block.x, block.y) / size,
+                high = Vec2d(block.x + block.width, block.y + block.height) / size;
+    return {float(low.x), float(low.y), float(high.x), float(high.y)};
+}
 
 std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
                                           std::span<const Vec3f> normals,

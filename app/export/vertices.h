@@ -47,6 +47,12 @@ std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
                                           std::span<const Vec4f> tangents = {},
                                           const PosedCorners* posed = nullptr);
 
+/// Per triangle the index of its block; empty unless the atlas is of the kind quad.
+std::vector<std::uint32_t> blocks_of_triangles(const Atlas& atlas);
+
+/// The rectangle of a block as in PartVertices::blocks.
+std::array<float, 4> rectangle_of(const Atlas& atlas, const Block& block);
+
 /// The placement of a glTF node for the arrays, whose positions are relative to their centre and
 /// scale. A node translates, rotates and scales; any other placement must be applied to the
 /// vertices (placed).

@@ -31,7 +31,7 @@ void add_bake(CLI::App& program) {
         if (const auto known = job.known_report()) return job.print(*known);
         const std::shared_ptr<TextureSynthesizer> synthesizer = job.synthesizer();
         const auto start = std::chrono::steady_clock::now();
-        Pipeline pipeline(command->load_mesh());
+        Pipeline pipeline(job.command().load_mesh());
         return_large_blocks(pipeline.mesh().triangles.size());
         job.print(job.run(pipeline, synthesizer, seconds_since(start), LaterBake::none));
     });

@@ -132,9 +132,14 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
 /// A key that is equal for bakes that can use one pipeline.
 std::string mesh_key(const Bake& bake) {
     const BakeCommand& command = bake.job.command();
-    return fmt::format("{} {} {} {}", command.meshes.read.weld,
+    const GltfChoice& choice = command.meshes.read.choice;
+    std::string only;
+    for (const auto& [mesh, primitive] : choice.only)
+        only += fmt::format("{}.{},", mesh, primitive);
+    return fmt::format("{} {} {} {} {} {} {} {}", command.meshes.read.weld,
                        command.meshes.read.unshare_instances, command.displace.value_or(0),
-                       real_path(command.mesh));
+                       fmt::join(choice.meshes, "/"), fmt::join(choice.nodes, "/"),
+                       fmt::join(choice.materials, "/"), only, real_path(command.mesh));
 }
 
 using Group = std::vector<Bake*>;

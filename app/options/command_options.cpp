@@ -210,7 +210,22 @@ void MeshOptions::add(CLI::App& verb) {
                   "Bake each glTF instance by itself, in scene space");
 }
 
+void MeshOptions::add_choice(CLI::App& verb) {
+    verb.add_option("--only-mesh,--mesh", read.choice.meshes,
+                    "Meshes of a glTF to carve, by their names: * stands for any letters, ? for "
+                    "one; may be repeated");
+    verb.add_option("--only-node,--node", read.choice.nodes,
+                    "Nodes of a glTF to carve, with all below them, in the same way");
+    verb.add_option("--only-material,--material", read.choice.materials,
+                    "Materials of a glTF whose surfaces are carved, in the same way");
+}
+
 Mesh MeshOptions::load(const std::string& path) const {
+    if (read.choice.any() && (is_sample_mesh(path) || !has_gltf_extension(path)))
+        throw Error(ExitCode::usage,
+                    fmt::format("--mesh, --node and --material choose parts of a glTF, and {} is "
+                                "none; leave them out",
+                                path));
     if (read.unshare_instances && (is_sample_mesh(path) || !has_gltf_extension(path)))
         throw Error(ExitCode::usage,
                     fmt::format("--unshare-instances: {} is no glTF and has no instances; leave it "

@@ -71,14 +71,16 @@ struct RecipeOptions {
 /// Error(usage) for anything else.
 Precision parse_precision(const std::string& text);
 
-/// The options --weld and --unshare-instances.
+/// The options --weld and --unshare-instances, and those that choose parts of a glTF.
 struct MeshOptions {
     ReadOptions read;
 
     void add(CLI::App& verb);
+    /// Adds --only-mesh, --only-node and --only-material, also without "only-".
+    void add_choice(CLI::App& verb);
     /// Reads the mesh file or sample ("sample:teapot") and prints the reader's notes on stderr.
-    /// Throws Error as read_mesh does, and usage for --unshare-instances of a mesh that is not
-    /// glTF.
+    /// Throws Error as read_mesh does, and usage for --unshare-instances or a choice of a mesh that
+    /// is not glTF.
     Mesh load(const std::string& path) const;
 };
 

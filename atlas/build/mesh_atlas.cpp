@@ -62,10 +62,10 @@ void append_corner(const MeshPose& pose, std::size_t a, std::size_t b, MeshPose&
 
 /// The input mesh's corner (3 face + k) at which the face has the point; the k-th if the face has
 /// the point twice and that corner is one of them.
-std::size_t corner_at(const Mesh& mesh, std::uint32_t face, std::uint32_t point, std::size_t k) {
+std::uint32_t corner_at(const Mesh& mesh, std::uint32_t face, std::uint32_t point, std::size_t k) {
     const Triangle& triangle = mesh.triangles[face];
-    const std::size_t first = 3 * std::size_t{face};
-    if (triangle[k] == point) return first + k;
+    const std::uint32_t first = 3 * face;
+    if (triangle[k] == point) return first + std::uint32_t(k);
     return triangle[0] == point ? first : triangle[1] == point ? first + 1 : first + 2;
 }
 
@@ -101,14 +101,17 @@ SolidAtlas rasterize(const Mesh& input, const MeshAtlas& atlas, std::span<const 
     return solid;
 }
 
-MeshPose atlas_pose(const MeshPose& pose, const Mesh& input, const MeshAtlas& atlas) {
-    check_pose(pose, input);
+std::vector<CornerOrigin> corner_origins(const Mesh& input, const MeshAtlas& atlas) {
+    std::vector<CornerOrigin> origins;
     const PatchAtlas* patches = atlas.patches();
-    if (!patches) return pose;
+    if (!patches) {
+        origins.reserve(3 * input.triangles.size());
+        for (std::uint32_t c = 0; c < 3 * input.triangles.size(); ++c) origins.push_back({c, c});
+        return origins;
+    }
     const RefinedMesh& refined = patches->refined;
     const std::size_t count = refined.mesh.triangles.size();
-    MeshPose result{pose.name, {}};
-    result.positions.reserve(3 * count);
+    origins.reserve(3 * count);
     auto cut = refined.cut_faces.begin();
     std::uint32_t face = 0;
     for (std::size_t t = 0; t < count; ++face) {
@@ -118,10 +121,20 @@ MeshPose atlas_pose(const MeshPose& pose, const Mesh& input, const MeshAtlas& at
         for (; t < end; ++t)
             for (std::size_t k = 0; k < 3; ++k) {
                 const VertexOrigin origin = refined.origin(refined.mesh.triangles[t][k]);
-                append_corner(pose, corner_at(input, face, origin.a, k),
-                              corner_at(input, face, origin.b, k), result);
+                origins.push_back(
+                    {corner_at(input, face, origin.a, k), corner_at(input, face, origin.b, k)});
             }
     }
+    return origins;
+}
+
+MeshPose atlas_pose(const MeshPose& pose, const Mesh& input, const MeshAtlas& atlas) {
+    check_pose(pose, input);
+    if (!atlas.patches()) return pose;
+    const std::vector<CornerOrigin> origins = corner_origins(input, atlas);
+    MeshPose result{pose.name, {}};
+    result.positions.reserve(origins.size());
+    for (const auto& [a, b] : origins) append_corner(pose, a, b, result);
     return result;
 }
 

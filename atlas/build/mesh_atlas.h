@@ -41,6 +41,15 @@ std::optional<MeshAtlas> build_atlas(const Mesh& mesh, const Connectivity& conne
 /// The solid points of all texels; `positions` are those of atlas.mesh(input) in the space wanted.
 SolidAtlas rasterize(const Mesh& input, const MeshAtlas& atlas, std::span<const Vec3d> positions);
 
+/// The two corners (3t+k) of an input mesh half-way between which a corner of a refined triangle
+/// lies; equal where it is a corner of the input.
+struct CornerOrigin {
+    std::uint32_t a = 0, b = 0;
+};
+
+/// The origin of each corner of the triangles that the atlas places, in the mesh it was built from.
+std::vector<CornerOrigin> corner_origins(const Mesh& input, const MeshAtlas& atlas);
+
 /// The pose of the mesh whose triangles the atlas places, made of the pose of the mesh that the
 /// atlas was built for: the middles that a patch atlas puts on edges are the middles of the posed
 /// edges. Throws Error as check_pose() does.

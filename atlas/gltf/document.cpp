@@ -66,11 +66,12 @@ Json parse_json(const FileBuffer& file, const GltfParts& parts) {
     }
 }
 
-/// Whether a required extension can be read: one that changes only the look, not the geometry, or
-/// KHR_mesh_quantization, which read_accessor() decodes.
+/// Whether a required extension can be read: one that changes only the look or the number of
+/// copies, not the geometry, or KHR_mesh_quantization, which read_accessor() decodes.
 bool understood(const std::string& extension) {
-    static constexpr std::array prefixes{"KHR_materials_", "KHR_texture_", "EXT_texture_",
-                                         "KHR_lights_", "KHR_xmp"};
+    static constexpr std::array prefixes{
+        "KHR_materials_", "KHR_texture_", "EXT_texture_",          "KHR_lights_",
+        "KHR_xmp",        "KHR_node_",    "KHR_animation_pointer", "EXT_mesh_gpu_instancing"};
     return extension == "KHR_mesh_quantization" ||
            std::any_of(prefixes.begin(), prefixes.end(),
                        [&](const char* prefix) { return extension.starts_with(prefix); });

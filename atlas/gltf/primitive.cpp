@@ -178,10 +178,10 @@ void PrimitiveReader::append(const tinygltf::Primitive& primitive, const std::st
             drawn_elements(mode, primitive.indices >= 0 ? indices.size() : points.count);
         return;
     }
-    const std::uint32_t first = append_vertices(primitive, where);
+    first_point_ = append_vertices(primitive, where);
     if (primitive.indices < 0)
         for (std::uint32_t i = 0; i < points.count; ++i) indices.push_back(i);
-    for (std::uint32_t& index : indices) index += first;
+    for (std::uint32_t& index : indices) index += first_point_;
     append_triangles(mode, indices);
 }
 

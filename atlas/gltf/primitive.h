@@ -78,6 +78,9 @@ class PrimitiveReader {
     /// are not finite.
     void append(const tinygltf::Primitive& primitive, const std::string& where);
 
+    /// Number of the soup's point that is vertex 0 of the primitive appended last.
+    std::uint32_t first_point() const { return first_point_; }
+
     /// Number of triangles of strips that were left out because they repeat an index.
     std::uint64_t stitches() const { return stitches_; }
 
@@ -107,6 +110,7 @@ class PrimitiveReader {
     MeshPlace place_;
     PolygonSoup& soup_;
     std::map<std::pair<Attributes, Targets>, std::uint32_t> first_point_of_;
+    std::uint32_t first_point_ = 0;
     std::uint64_t stitches_ = 0;
 };
 

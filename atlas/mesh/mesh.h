@@ -75,6 +75,22 @@ double triangle_area(const Mesh& mesh, std::size_t t);
 /// Longest edge of triangle t, in mesh units.
 double longest_edge(const Mesh& mesh, std::size_t t);
 
+/// The primitives of a glTF that are read, by globs (atlas/base/glob.h) over names; an empty list
+/// takes all. What has no name is called "mesh 0", "node 0", "material 0" by its number, and the
+/// material of a primitive without one "no material".
+struct GltfChoice {
+    std::vector<std::string> meshes, materials;
+    std::vector<std::string> nodes;  ///< nodes, each with all nodes below it
+    /// Mesh and primitive of the only primitives that are read, ascending; empty: all that the
+    /// globs choose.
+    std::vector<std::array<int, 2>> only;
+
+    bool any() const {
+        return !meshes.empty() || !materials.empty() || !nodes.empty() || !only.empty();
+    }
+    bool operator==(const GltfChoice&) const = default;
+};
+
 /// A user's choices of how a file becomes a mesh.
 struct ReadOptions {
     /// Welding distance as a share of the box's longest side: closer points are welded; 0 welds
@@ -83,6 +99,7 @@ struct ReadOptions {
     /// Whether each glTF instance gets triangles of its own, in scene space, instead of sharing
     /// those of the first instance.
     bool unshare_instances = false;
+    GltfChoice choice{};
 };
 
 }  // namespace burl

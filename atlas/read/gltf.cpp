@@ -9,11 +9,12 @@
 
 #include "atlas/base/error.h"
 #include "atlas/file/text_scanner.h"
-#include "atlas/gltf/accessor.h"
+#include "atlas/gltf/choice.h"
 #include "atlas/gltf/document.h"
 #include "atlas/gltf/pose.h"
 #include "atlas/gltf/primitive.h"
 #include "atlas/gltf/scene.h"
+#include "atlas/read/gltf_origins.h"
 #include "atlas/read/readers.h"
 
 namespace burl {
@@ -51,24 +52,24 @@ bool lies_in_range(const Box3& box, const Mat4d& placement) {
     return true;
 }
 
-std::string name_of(const tinygltf::Model& model, int mesh) {
-    const std::string& name = model.meshes[static_cast<std::size_t>(mesh)].name;
-    return name.empty() ? fmt::format("mesh {}", mesh) : name;
-}
-
 /// Reads the meshes that a scene draws, at rest or in a pose.
 class SceneReader {
   public:
     /// `pose` says where the scene's vertices are; null: at rest. Parts and instances are those at
-    /// rest.
+    /// rest. `origins`, unless null, gets the places of all triangles in the file.
     SceneReader(const tinygltf::Model& model, const std::string& path, const ReadOptions& options,
-                const GltfPose* pose = nullptr)
-        : model_(model), path_(path), options_(options), pose_(pose) {
+                const GltfPose* pose = nullptr, GltfOrigins* origins = nullptr)
+        : model_(model),
+          path_(path),
+          options_(options),
+          pose_(pose),
+          origins_(origins),
+          chosen_(model, options.choice, path) {
         if (pose_) posed_to_scene_ = scene_transforms(model_, pose_->nodes.local);
     }
 
     PolygonSoup read() {
-        const std::vector<GltfPlacement> placements = scene_placements(model_);
+        const std::vector<GltfPlacement> placements = chosen_.of(scene_placements(model_));
         for (const GltfPlacement& placement : placements) read_placement(placement);
         fill_attributes(soup_);
         say_what_is_missing(placements);
@@ -122,13 +123,37 @@ class SceneReader {
         const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(placement.mesh)];
         const std::size_t first = soup_.face_count();
         PrimitiveReader reader(model_, path_, place(placement, number), soup_);
-        for (std::size_t p = 0; p < mesh.primitives.size(); ++p)
+        for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+            if (!chosen_.has(placement.mesh, p)) continue;
+            const std::size_t start = soup_.corners.size();
             reader.append(mesh.primitives[p],
                           fmt::format("meshes[{}].primitives[{}]", placement.mesh, p));
+            if (origins_) note_origins(int(p), start, reader.first_point());
+        }
+        if (origins_) note_origins(placement, number);
         stitches_ += reader.stitches();
         const std::size_t count = soup_.face_count() - first;
         for (std::size_t i = 0; i < count; ++i) soup_.source_faces.push_back(next_face_number_++);
-        soup_.parts.push_back({name_of(model_, placement.mesh), first, count, {Mat4d(1.0)}});
+        soup_.parts.push_back({gltf_mesh_name(model_, placement.mesh), first, count, {Mat4d(1.0)}});
+    }
+
+    /// Notes the triangles that a primitive has appended, from soup corner `start` on.
+    void note_origins(int primitive, std::size_t start, std::uint32_t first_point) {
+        const std::size_t end = soup_.corners.size();
+        if (end == start) return;
+        origins_->runs.push_back({origins_->parts.size(), primitive, start / 3, (end - start) / 3});
+        for (std::size_t c = start; c < end; ++c)
+            origins_->vertices.push_back(soup_.corners[c] - first_point);
+    }
+
+    /// Notes the part that read_copy() has appended.
+    void note_origins(const GltfPlacement& placement, std::size_t number) {
+        const Mat4d& to_scene = placement.to_scene[number];
+        const bool shares = !options_.unshare_instances && invertible(placement.to_scene.front());
+        origins_->parts.push_back(
+            {placement.mesh, shares ? placement.nodes : std::vector<int>{placement.nodes[number]},
+             to_scene, glm::determinant(Mat3d(to_scene)) < 0.0});
+        origins_->drops_nodes = chosen_.drops_nodes();
     }
 
     void say_what_is_missing(const std::vector<GltfPlacement>& placements) {
@@ -137,7 +162,7 @@ class SceneReader {
             drawn[static_cast<std::size_t>(placement.mesh)] = true;
         const auto unused = std::count(drawn.begin(), drawn.end(), false);
         auto& say = soup_.notes.sentences;
-        if (unused > 0)
+        if (unused > 0 && !options_.choice.any())
             say.push_back(fmt::format("{} meshes are not in the default scene; left out", unused));
         if (stitches_ > 0)
             say.push_back(fmt::format(
@@ -155,6 +180,8 @@ class SceneReader {
     const std::string& path_;
     const ReadOptions& options_;
     const GltfPose* pose_;
+    GltfOrigins* origins_;
+    ChosenGltf chosen_;
     std::vector<Mat4d> posed_to_scene_;  ///< transforms of the nodes to the scene, posed
     PolygonSoup soup_;
     std::uint32_t next_face_number_ = 0;
@@ -173,6 +200,34 @@ PolygonSoup parse_gltf_pose(const FileBuffer& file, const std::string& pose,
     const tinygltf::Model model = load_gltf(file);
     const GltfPose found = find_pose(model, pose, file.path);
     return SceneReader(model, file.path, options, &found).read();
+}
+
+GltfOrigins read_gltf_origins(const FileBuffer& file, const ReadOptions& options) {
+    const tinygltf::Model model = load_gltf(file);
+    GltfOrigins origins;
+    SceneReader(model, file.path, options, nullptr, &origins).read();
+    return origins;
+}
+
+std::vector<GltfPrimitive> chosen_gltf_primitives(const FileBuffer& file,
+                                                  const ReadOptions& options) {
+    const tinygltf::Model model = load_gltf(file);
+    const ChosenGltf chosen(model, options.choice, file.path);
+    std::vector<GltfPrimitive> primitives;
+    for (const GltfPlacement& placement : chosen.of(scene_placements(model))) {
+        const auto& all = model.meshes[std::size_t(placement.mesh)].primitives;
+        for (std::size_t p = 0; p < all.size(); ++p) {
+            const bool triangles = all[p].mode < 0 || all[p].mode >= TINYGLTF_MODE_TRIANGLES;
+            if (!triangles || !chosen.has(placement.mesh, p)) continue;
+            primitives.push_back({placement.mesh, int(p), gltf_mesh_name(model, placement.mesh),
+                                  gltf_material_name(model, all[p].material)});
+        }
+    }
+    const auto id = [](const GltfPrimitive& one) { return std::pair(one.mesh, one.primitive); };
+    std::ranges::sort(primitives, {}, id);
+    const auto repeated = std::ranges::unique(primitives, {}, id);
+    primitives.erase(repeated.begin(), repeated.end());
+    return primitives;
 }
 
 }  // namespace burl

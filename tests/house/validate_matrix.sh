@@ -32,6 +32,12 @@ if [ -n "$burl" ]; then
         "$burl" bake "$meshes/king.obj" -o "$scratch/bumps.$atlas.glb" --atlas $atlas --size 512 --recipe hammered \
             >/dev/null 2>&1 || { echo "burl bake failed on bumps, $atlas"; exit 1; }
     done
+    for source in "$scratch"/kept_*.gltf; do # documents of other programs, baked back into themselves
+        for atlas in quad patch; do
+            "$burl" bake "$source" -o "${source%.gltf}.$atlas.glb" --atlas $atlas --size 128 --recipe hammered \
+                >/dev/null 2>&1 || { echo "burl bake failed on $source, $atlas"; exit 1; }
+        done
+    done
     for recipe in "$here"/../../assets/materials/*.json; do
         material=$(basename "$recipe" .json)
         for mesh in torus teapot cad_part; do

@@ -1,10 +1,12 @@
 // Writes .glb and .gltf files that reach into the exporter's corners, for the Khronos validator:
 // gltf_samples FOLDER.
 #include <cstdio>
+#include <fstream>
 #include <string>
 
 #include "app/export/export.h"
 #include "tests/app/support/export_scene.h"
+#include "tests/app/support/kept_samples.h"
 #include "tests/app/support/sample_scene.h"
 
 namespace {
@@ -90,6 +92,8 @@ int main(int count, char** arguments) try {
     write_normal_map(folder + "normal_map_tiny.glb", scaled_cube(1e-30));
     write_pose(folder + "pose.glb", cubes_in_placements());
     write_pose(folder + "pose.gltf", degenerate_faces());
+    for (const auto& [name, text] : kept_samples())
+        std::ofstream(folder + "kept_" + name + ".gltf") << text;
     return 0;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "gltf_samples: %s\n", e.what());

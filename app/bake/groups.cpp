@@ -1,0 +1,151 @@
+#include "app/bake/groups.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "app/export/export.h"
+#include "app/kept/scene.h"
+#include "atlas/base/error.h"
+#include "atlas/base/glob.h"
+#include "atlas/read/gltf_origins.h"
+
+namespace burl {
+namespace {
+
+/// An entry of --assign.
+struct Assignment {
+    std::string glob, recipe;
+};
+
+std::vector<Assignment> assignments_of(const BakeCommand& command) {
+    std::vector<Assignment> result;
+    for (const std::string& text : command.assigned) {
+        const std::size_t at = text.find('=');
+        result.push_back({text.substr(0, at), text.substr(at + 1)});
+    }
+    return result;
+}
+
+/// The primitives that share an atlas.
+struct Share {
+    int recipe = -1;  ///< an index into the assignments; -1: --recipe
+    std::string name;
+    std::vector<std::array<int, 2>> primitives{};
+};
+
+/// The recipe for a material; none where it stays as it is.
+std::optional<int> recipe_for(const std::string& material, const std::vector<Assignment>& assigned,
+                              bool others) {
+    for (std::size_t i = 0; i < assigned.size(); ++i)
+        if (matches_glob(material, assigned[i].glob)) return int(i);
+    return others ? std::optional(-1) : std::nullopt;
+}
+
+void check_assignments(const BakeCommand& command, const std::vector<Assignment>& assigned,
+                       const std::vector<GltfPrimitive>& primitives) {
+    for (const Assignment& one : assigned) {
+        if (std::ranges::any_of(primitives, [&](const GltfPrimitive& primitive) {
+                return matches_glob(primitive.material_name, one.glob);
+            }))
+            continue;
+        std::set<std::string> names;
+        for (const GltfPrimitive& primitive : primitives) names.insert(primitive.material_name);
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --assign {}={}: no material that is carved has such a name; "
+                                "there are: {}",
+                                command.mesh, one.glob, one.recipe, fmt::join(names, ", ")));
+    }
+}
+
+std::vector<Share> shares_of(const BakeCommand& command, const std::vector<Assignment>& assigned) {
+    const std::vector<GltfPrimitive> primitives =
+        chosen_gltf_primitives(read_file(command.mesh), command.meshes.read);
+    check_assignments(command, assigned, primitives);
+    std::vector<Share> shares;
+    std::vector<std::tuple<int, std::string, int>> keys;
+    for (const GltfPrimitive& one : primitives) {
+        const auto recipe =
+            recipe_for(one.material_name, assigned, assigned.empty() || command.recipe_given);
+        if (!recipe) continue;
+        const bool by_mesh = command.atlas_per == "mesh",
+                   by_material = command.atlas_per == "material";
+        const std::string name = by_mesh       ? one.mesh_name
+                                 : by_material ? one.material_name
+                                 : *recipe < 0 ? command.recipe.recipe
+                                               : assigned[std::size_t(*recipe)].recipe;
+        const std::tuple key(*recipe, by_material ? name : "", by_mesh ? one.mesh : -1);
+        const auto known = std::ranges::find(keys, key);
+        const auto number = std::size_t(known - keys.begin());
+        if (known == keys.end()) {
+            keys.push_back(key);
+            shares.push_back({*recipe, name});
+        }
+        shares[number].primitives.push_back({one.mesh, one.primitive});
+    }
+    return shares;
+}
+
+/// The name as a part of a file's: without folders and extension, in letters that need no care.
+std::string in_file_name(const std::string& name) {
+    std::string result = std::filesystem::path(name).stem().string();
+    for (char& c : result)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
+    return result.empty() ? "_" : result;
+}
+
+/// "a_wood.gltf" for the share "wood" of "a.gltf", with a number where that is taken.
+std::string pictures_of(const std::string& out, const std::string& share,
+                        std::set<std::string>& taken) {
+    const std::filesystem::path path(out);
+    const std::string stem = path.stem().string() + '_' + in_file_name(share);
+    std::string name = stem;
+    for (int number = 2; !taken.insert(name).second; ++number)
+        name = fmt::format("{}_{}", stem, number);
+    return (path.parent_path() / (name + path.extension().string())).string();
+}
+
+void check_options(const BakeCommand& command) {
+    if (keeps_document(command.mesh, command.out) && command.pose.empty() && !command.displace)
+        return;
+    const char* option = !command.assigned.empty()      ? "--assign"
+                         : command.atlas_per != "scene" ? "--atlas-per"
+                         : command.uv_set               ? "--uv-set"
+                                                        : nullptr;
+    if (option)
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: {} is for a glTF that becomes a glTF, without --pose and "
+                                "--displace; leave it out",
+                                command.out, option));
+}
+
+}  // namespace
+
+std::vector<BakeGroup> groups_of(const BakeCommand& command) {
+    check_options(command);
+    const std::vector<Assignment> assigned = assignments_of(command);
+    if (assigned.empty() && command.atlas_per == "scene") return {{command, command.out}};
+    const std::vector<Share> shares = shares_of(command, assigned);
+    if (shares.empty())
+        throw Error(ExitCode::usage, fmt::format("{}: nothing is left to carve", command.mesh));
+    std::vector<BakeGroup> groups;
+    std::set<std::string> taken;
+    for (const Share& share : shares) {
+        BakeGroup& group = groups.emplace_back(BakeGroup{command, command.out});
+        group.command.assigned.clear();
+        group.command.atlas_per = "scene";
+        group.command.meshes.read.choice.only = share.primitives;
+        if (share.recipe >= 0) {
+            group.command.recipe.recipe = assigned[std::size_t(share.recipe)].recipe;
+            group.command.recipe.settings.clear();
+        }
+        if (shares.size() > 1) group.pictures = pictures_of(command.out, share.name, taken);
+    }
+    return groups;
+}
+
+}  // namespace burl

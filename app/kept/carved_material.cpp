@@ -1,0 +1,120 @@
+#include "app/kept/carved_material.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "app/export/gltf_file.h"
+#include "app/export/gltf_material.h"
+#include "app/export/gltf_scene.h"
+
+namespace burl {
+namespace {
+
+/// The array of the document, made where it is missing.
+Json& array_of(Json& document, const char* name) {
+    if (!document.contains(name)) document[name] = Json::array();
+    return document[name];
+}
+
+}  // namespace
+
+CarvedMaterial::CarvedMaterial(KeptDocument& document, const SceneContent& content,
+                               const std::string& pictures)
+    : document_(document), content_(content), pictures_(pictures) {
+    const std::size_t first_image = array_of(document.json, "images").size();
+    SceneContent named{pictures.empty() ? content.path : pictures, content.mesh, content.atlas,
+                       content.image, content.options};
+    const std::string color =
+        pictures.empty() ? "" : std::filesystem::path(pictures).replace_extension(".png").string();
+    for (const std::vector<SceneImage>& texture : scene_textures(named, color))
+        for (const SceneImage& image : texture) add_image(image);
+    Json& textures = array_of(document.json, "textures");
+    first_texture_ = textures.size();
+    const std::size_t sampler = add_sampler();
+    for (Json& texture : gltf_textures(named, {first_texture_, first_image, sampler}))
+        textures.push_back(std::move(texture));
+}
+
+void CarvedMaterial::add_image(const SceneImage& image) {
+    Json json{{"name", image.name}};
+    if (pictures_.empty()) {
+        std::vector<std::uint8_t> bytes;
+        image.encode([&](std::span<const std::uint8_t> some) {
+            bytes.insert(bytes.end(), some.begin(), some.end());
+        });
+        json["bufferView"] = document_.add_view(std::move(bytes));
+    } else {
+        image.encode(sink_of(files_.emplace_back(image.path)));
+        json["uri"] = relative_uri(image.path);
+        document_.new_uris.push_back(json["uri"]);
+    }
+    json["mimeType"] = "image/png";
+    document_.json["images"].push_back(std::move(json));
+}
+
+/// The number of the sampler for the content's textures, one of the document where it has one.
+std::size_t CarvedMaterial::add_sampler() {
+    Json& samplers = array_of(document_.json, "samplers");
+    Json wanted = gltf_sampler(content_.atlas.options);
+    const auto found = std::ranges::find(samplers, wanted);
+    const auto number = std::size_t(found - samplers.begin());
+    if (found == samplers.end()) samplers.push_back(std::move(wanted));
+    return number;
+}
+
+void CarvedMaterial::use_at(std::array<std::size_t, 2> primitive, std::uint32_t uv_set) {
+    const Json& target = document_.json["meshes"][primitive[0]]["primitives"][primitive[1]];
+    users_[{target.value("material", -1), uv_set}].push_back(primitive);
+}
+
+/// Whether a primitive, or a variant of one, has the material.
+bool CarvedMaterial::is_used(int material) const {
+    for (const Json& mesh : document_.json["meshes"])
+        for (const Json& primitive : mesh.at("primitives")) {
+            if (primitive.value("material", -1) == material) return true;
+            const auto variants = Json::json_pointer("/extensions/KHR_materials_variants/mappings");
+            if (!primitive.contains(variants)) continue;
+            for (const Json& mapping : primitive[variants])
+                if (mapping.value("material", -1) == material) return true;
+        }
+    return false;
+}
+
+/// The material for the primitives that had another; `in_place` says whether it replaces that.
+Json CarvedMaterial::made_for(const Key& key, bool in_place) const {
+    Json made = gltf_material(content_, {first_texture_, 0, 0, key.second});
+    if (key.first < 0) return made;
+    const Json& old = document_.json["materials"][std::size_t(key.first)];
+    if (old.contains("name")) {
+        const std::string name = old["name"];
+        made["name"] = in_place ? name : name + ' ' + content_.options.recipe_name;
+    }
+    made["doubleSided"] = old.value("doubleSided", false);
+    if (old.contains("extras")) made["extras"] = old["extras"];
+    return made;
+}
+
+void CarvedMaterial::assign() {
+    Json& materials = array_of(document_.json, "materials");
+    const auto target = [&](const std::array<std::size_t, 2>& id) -> Json& {
+        return document_.json["meshes"][id[0]]["primitives"][id[1]];
+    };
+    for (const auto& [key, primitives] : users_)
+        for (const auto& id : primitives) target(id).erase("material");
+    for (const auto& [key, primitives] : users_) {
+        const bool in_place = key.first >= 0 && !is_used(key.first);
+        Json made = made_for(key, in_place);
+        if (made.contains("extensions"))
+            for (const auto& item : made["extensions"].items()) document_.use_extension(item.key());
+        const std::size_t number = in_place ? std::size_t(key.first) : materials.size();
+        if (in_place)
+            materials[number] = std::move(made);
+        else
+            materials.push_back(std::move(made));
+        for (const auto& id : primitives) target(id)["material"] = number;
+    }
+}
+
+}  // namespace burl

@@ -1,0 +1,112 @@
+#include "app/kept/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "app/export/export.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
+#include "atlas/gltf/container.h"
+
+namespace burl {
+namespace {
+
+std::size_t count_of(const Json& document, const char* list) {
+    return document.contains(list) ? document[list].size() : 0;
+}
+
+/// Number of objects of the document that have extras.
+std::size_t count_extras(const Json& value) {
+    if (!value.is_structured()) return 0;
+    std::size_t count = value.is_object() && value.contains("extras") ? 1 : 0;
+    for (const auto& item : value.items())
+        if (!value.is_object() || item.key() != "extras") count += count_extras(item.value());
+    return count;
+}
+
+/// Names of vertex attributes that are no positions and normals, and whether there are targets.
+struct Attributes {
+    std::set<std::string> names{};
+    bool targets = false;
+};
+
+Attributes attributes_of(const Json& document) {
+    Attributes result;
+    if (!document.contains("meshes")) return result;
+    for (const Json& mesh : document["meshes"])
+        for (const Json& primitive : mesh["primitives"]) {
+            result.targets |= primitive.contains("targets");
+            for (const auto& item : primitive["attributes"].items())
+                if (item.key() != "POSITION" && item.key() != "NORMAL" && item.key() != "TANGENT")
+                    result.names.insert(item.key());
+        }
+    return result;
+}
+
+void add_counts(const Json& document, std::vector<std::string>& losses) {
+    using Pair = std::pair<const char*, const char*>;
+    constexpr std::array lists{Pair{"skins", "skins"}, Pair{"animations", "animations"},
+                               Pair{"cameras", "cameras"}, Pair{"materials", "materials"},
+                               Pair{"textures", "textures"}};
+    for (const auto& [list, name] : lists)
+        if (const std::size_t count = count_of(document, list); count > 0)
+            losses.push_back(fmt::format("{} {}", count, name));
+    if (count_of(document, "scenes") > 1)
+        losses.push_back(fmt::format("{} further scenes", count_of(document, "scenes") - 1));
+    if (document.contains("nodes") && std::ranges::any_of(document["nodes"], [](const Json& node) {
+            return node.contains("children");
+        }))
+        losses.emplace_back("the hierarchy of nodes");
+    if (const std::size_t count = count_extras(document); count > 0)
+        losses.push_back(fmt::format("extras of {} objects", count));
+}
+
+}  // namespace
+
+bool keeps_document(const std::string& mesh_path, const std::string& out_path) {
+    return !is_sample_mesh(mesh_path) && has_gltf_extension(mesh_path) && holds_mesh(out_path) &&
+           is_gltf(out_path);
+}
+
+std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content,
+                                   std::span<const CornerOrigin> corners) {
+    KeptDocument& document = scene.document;
+    std::ranges::move(
+        carve(document, {scene.origins, corners, content, scene.uv_set, scene.pictures}),
+        std::back_inserter(scene.pending));
+    if (!scene.is_last) return {};
+    std::vector<AtomicFile> files = write_kept(document, content.path);
+    if (scene.is_strict && !document.losses.empty())
+        throw Error(ExitCode::unsupported, fmt::format("{}: --strict: {}", content.path,
+                                                       losses_sentence(document.losses)));
+    std::ranges::move(files, std::back_inserter(scene.pending));
+    return std::move(scene.pending);
+}
+
+std::vector<std::string> losses_of_flat(const std::string& mesh_path) {
+    std::vector<std::string> losses;
+    if (is_sample_mesh(mesh_path) || !has_gltf_extension(mesh_path)) return losses;
+    const FileBuffer file = read_file(mesh_path);
+    const Json document = Json::parse(split_gltf(file).json);
+    add_counts(document, losses);
+    const Attributes attributes = attributes_of(document);
+    if (attributes.targets) losses.emplace_back("morph targets");
+    if (!attributes.names.empty())
+        losses.push_back(fmt::format("the attributes {}", fmt::join(attributes.names, ", ")));
+    if (count_of(document, "extensionsUsed") > 0) {
+        std::vector<std::string> names = document["extensionsUsed"];
+        losses.push_back(fmt::format("the extensions {}", fmt::join(names, ", ")));
+    }
+    return losses;
+}
+
+std::string losses_sentence(const std::vector<std::string>& losses) {
+    return fmt::format("not kept: {}", fmt::join(losses, "; "));
+}
+
+}  // namespace burl

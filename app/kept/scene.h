@@ -1,0 +1,42 @@
+#pragma once
+// A glTF that is baked back into its own document.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/kept/carve.h"
+
+namespace burl {
+
+/// A document on its way from one file to another. Several bakes may carve it one after the other;
+/// files are committed with the last.
+struct KeptScene {
+    explicit KeptScene(const FileBuffer& file) : document(file) {}
+
+    KeptDocument document;
+    GltfOrigins origins{};                  ///< of the mesh that is baked next
+    std::optional<std::uint32_t> uv_set{};  ///< as in CarvedMesh
+    std::string pictures{};                 ///< as in CarvedMesh
+    bool is_last = true;                    ///< whether no other bake follows
+    bool is_strict = false;                 ///< whether a loss is an error
+    std::vector<AtomicFile> pending{};
+};
+
+/// Whether a bake of the mesh file to the output keeps the document of the mesh: both are glTF.
+bool keeps_document(const std::string& mesh_path, const std::string& out_path);
+
+/// Carves the scene's document. Returns all its files where this is the last bake, else none.
+/// Throws Error as carve() and write_kept() do, and unsupported for a loss where the scene is
+/// strict.
+std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content,
+                                   std::span<const CornerOrigin> corners);
+
+/// What of a glTF's document an output does not hold that has the mesh alone; empty where that is
+/// everything, and for a mesh of another format.
+std::vector<std::string> losses_of_flat(const std::string& mesh_path);
+
+/// One sentence that names losses.
+std::string losses_sentence(const std::vector<std::string>& losses);
+
+}  // namespace burl

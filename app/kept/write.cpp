@@ -1,0 +1,102 @@
+// Files of a kept document.
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "app/base/real_path.h"
+#include "app/export/export.h"
+#include "app/export/gltf_file.h"
+#include "app/export/gltf_scene.h"
+#include "app/kept/carve.h"
+#include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
+#include "atlas/gltf/container.h"
+
+namespace burl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The media type of encoded image bytes, from their signature; empty for an unknown one.
+std::string media_type(std::span<const std::uint8_t> bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\x89PNG")) return "image/png";
+    if (text.starts_with("\xff\xd8\xff")) return "image/jpeg";
+    if (text.starts_with("RIFF")) return "image/webp";
+    return text.starts_with("\xabKTX 20") ? "image/ktx2" : "";
+}
+
+/// Takes an image that lies in a file beside the source into the document. One that is not there
+/// stays as it is named.
+void embed(KeptDocument& document, Json& image) {
+    const std::string uri = image.at("uri");
+    const std::string name = is_data_uri(uri) ? "" : confined_file_name(uri);
+    if (name.empty()) return;
+    try {
+        const FileBuffer file = read_file((fs::path(document.folder()) / name).string());
+        std::vector<std::uint8_t> bytes(file.bytes.get(), file.bytes.get() + file.size);
+        const std::string type = media_type(bytes);
+        if (type.empty()) return;
+        image["bufferView"] = document.add_view(std::move(bytes));
+        image["mimeType"] = type;
+        image.erase("uri");
+    } catch (const Error&) {
+        document.losses.push_back(
+            fmt::format("image {}: the file is not there; its name is kept", uri));
+    }
+}
+
+/// Takes images of the source into the document unless the output lies beside them.
+void embed_images(KeptDocument& document, const std::string& path, bool is_glb) {
+    if (!document.json.contains("images")) return;
+    const auto folder = [](const std::string& of) { return real_path(of.empty() ? "." : of); };
+    const bool beside = folder(document.folder()) == folder(fs::path(path).parent_path().string());
+    if (beside && !is_glb) return;
+    const std::vector<std::string>& ours = document.new_uris;
+    for (Json& image : document.json["images"])
+        if (image.contains("uri") &&
+            std::ranges::find(ours, image["uri"].get<std::string>()) == ours.end())
+            embed(document, image);
+}
+
+void write_pieces(AtomicFile& file, const std::vector<std::span<const std::uint8_t>>& pieces) {
+    for (const auto& bytes : pieces) {
+        file.write(bytes);
+        file.write(padding_after(bytes.size()));
+    }
+}
+
+std::uint64_t length_of(const Json& document) {
+    return document.contains("buffers") ? document["buffers"][0]["byteLength"].get<std::uint64_t>()
+                                        : 0;
+}
+
+}  // namespace
+
+std::vector<AtomicFile> write_kept(KeptDocument& document, const std::string& path) {
+    const bool is_glb = lower_extension(path) == ".glb";
+    document.drop_unused();
+    embed_images(document, path, is_glb);
+    const auto pieces = document.lay_out();
+    std::vector<AtomicFile> files;
+    if (!is_glb) {
+        const std::string buffer = fs::path(path).replace_extension(".bin").string();
+        if (document.json.contains("buffers"))
+            document.json["buffers"][0]["uri"] = relative_uri(buffer);
+        write_pieces(files.emplace_back(buffer), pieces);
+        files.emplace_back(path).write(gltf_text(document.json, 2) + "\n");
+        return files;
+    }
+    const std::string json = gltf_text(document.json, -1);
+    const std::size_t length = (json.size() + 3) / 4 * 4;
+    const std::string head = glb_head(json, length, length_of(document.json));
+    if (head.size() + length_of(document.json) > most_glb_bytes) throw glb_too_long(path);
+    AtomicFile& file = files.emplace_back(path);
+    file.write(head);
+    write_pieces(file, pieces);
+    return files;
+}
+
+}  // namespace burl
