@@ -77,6 +77,16 @@ def hex_of(color):
     return "#%02x%02x%02x" % tuple(codes)
 
 
+# What Blender 4 calls inputs of the Principled BSDF.
+LATER_NAMES = {"Specular": "Specular IOR Level", "Clearcoat": "Coat Weight", "Clearcoat Roughness": "Coat Roughness",
+               "Transmission": "Transmission Weight", "Emission": "Emission Color", "Subsurface": "Subsurface Weight",
+               "Sheen": "Sheen Weight"}
+
+
+def input_of(node, name):
+    return node.inputs[name if name in node.inputs else LATER_NAMES[name]]
+
+
 class Translator:
     """The nodes of a material as a recipe for one object. What cannot be translated is collected in `problems`, with its path."""
 
@@ -232,12 +242,12 @@ class Translator:
         limited = (("Metallic", "metallic"), ("Roughness", "roughness"), ("Clearcoat", "clearcoat"), ("Transmission", "transmission"),
                    ("Clearcoat Roughness", "clearcoat_roughness"), ("Alpha", "opacity"))
         for name, ours in limited:
-            value = self.number(stack, node.inputs[name])
+            value = self.number(stack, input_of(node, name))
             if isinstance(value, (int, float)):
                 value = min(max(value, 0.0), 1.0)
             if not (ours == "opacity" and value == 1.0):
                 material[ours] = value
-        specular = self.number(stack, node.inputs["Specular"])
+        specular = self.number(stack, input_of(node, "Specular"))
         if isinstance(specular, (int, float)):
             if specular > 0.5:
                 self.notes.append("Specular above 0.5 counts as 0.5")
@@ -246,9 +256,12 @@ class Translator:
             material["specular"] = math_of("multiply", specular, 2.0)
         if not self.link_of(node.inputs["IOR"]):
             material["ior"] = max(float(node.inputs["IOR"].default_value), 1.0)
-        self.emission(stack, node.inputs["Emission"], node.inputs["Emission Strength"], material)
-        for name in ("Subsurface", "Anisotropic", "Sheen", "Specular Tint"):
-            if self.link_of(node.inputs[name]) or node.inputs[name].default_value:
+        self.emission(stack, input_of(node, "Emission"), node.inputs["Emission Strength"], material)
+        for name in ("Subsurface", "Anisotropic", "Sheen"):
+            if self.link_of(input_of(node, name)) or input_of(node, name).default_value:
+                self.notes.append(f"{name} is left out")
+        for name in ("Clearcoat Normal", "Tangent", "Specular Tint"):
+            if name in node.inputs and self.link_of(node.inputs[name]):
                 self.notes.append(f"{name} is left out")
         return self.bump(stack, node, node.inputs["Normal"])
 
@@ -334,6 +347,12 @@ def mapped_itself(own):
 
 
 def only_3d(t, stack, node):
+    """The failure of a texture in other than three dimensions, or with settings that Blender 3.4 does not have; None: there is none."""
+    later = {"Lacunarity": 2.0} if hasattr(node, "noise_type") else {"Detail": 0.0} if hasattr(node, "voronoi_dimensions") else {}
+    changed = any(name in node.inputs and (node.inputs[name].is_linked or node.inputs[name].default_value != usual)
+                  for name, usual in later.items())
+    if changed or getattr(node, "noise_type", "FBM") != "FBM" or getattr(node, "normalize", None) is hasattr(node, "voronoi_dimensions"):
+        return t.fail(stack, node, f"{node.bl_label} with settings of Blender 4")
     dimensions = getattr(node, "noise_dimensions", None) or getattr(node, "musgrave_dimensions", None) or node.voronoi_dimensions
     return None if dimensions == "3D" else t.fail(stack, node, f"{node.bl_label} in {dimensions}")
 
@@ -377,7 +396,7 @@ def wave(t, stack, node, socket):
 def magic(t, stack, node, socket):
     ours = {"node": "blender_magic", "depth": node.turbulence_depth}
     value = texture(t, stack, node, ours, (("Scale", "scale"), ("Distortion", "distortion")))
-    return value, "color" if socket.name == "Color" else "vector"  # the factor is the channels' mean
+    return (value, "color") if socket.name == "Color" else (t.wanted((value, "vector"), "number"), "number")
 
 
 def gradient(t, stack, node, socket):
@@ -643,9 +662,12 @@ def write_obj(mesh, path, y_up):
     """Writes the triangles of a mesh with the normals of its corners."""
     triangles, loops, _ = loops_of(mesh)
     points = points_of(mesh, y_up)
-    mesh.calc_normals_split()
     normals = numpy.empty(3 * len(mesh.loops), numpy.float32)
-    mesh.loops.foreach_get("normal", normals)
+    if hasattr(mesh, "corner_normals"):  # Blender 4.1
+        mesh.corner_normals.foreach_get("vector", normals)
+    else:
+        mesh.calc_normals_split()
+        mesh.loops.foreach_get("normal", normals)
     normals = normals.reshape(-1, 3)
     if y_up:
         normals = normals[:, [0, 2, 1]] * [1, 1, -1]
@@ -829,7 +851,7 @@ def principled_of(name, files, settings, transparent, save_beside):
 
     for ours, socket in CHANNELS.items():
         if isinstance(settings.get(ours), (int, float)):
-            surface.inputs[socket].default_value = settings[ours] * (0.5 if ours == "specular" else 1)
+            input_of(surface, socket).default_value = settings[ours] * (0.5 if ours == "specular" else 1)
     surface.inputs["IOR"].default_value = settings.get("ior", 1.5)
     base = image_node("base_color", True)
     links.new(base.outputs["Color"], surface.inputs["Base Color"])
@@ -838,18 +860,18 @@ def principled_of(name, files, settings, transparent, save_beside):
         material.blend_method = "HASHED"
     for ours in files:
         if ours in ("metallic", "roughness", "clearcoat", "clearcoat_roughness", "transmission"):
-            links.new(image_node(ours, False).outputs["Color"], surface.inputs[CHANNELS[ours]])
+            links.new(image_node(ours, False).outputs["Color"], input_of(surface, CHANNELS[ours]))
     if "specular" in files:
         half = nodes.new("ShaderNodeMath")
         half.operation, half.inputs[1].default_value = "MULTIPLY", 0.5
         links.new(image_node("specular", False).outputs["Color"], half.inputs[0])
-        links.new(half.outputs[0], surface.inputs["Specular"])
+        links.new(half.outputs[0], input_of(surface, "Specular"))
     emissive = settings.get("emissive")
     surface.inputs["Emission Strength"].default_value = settings.get("emissive_strength", 1.0)
     if "emissive" in files:
-        links.new(image_node("emissive", True).outputs["Color"], surface.inputs["Emission"])
+        links.new(image_node("emissive", True).outputs["Color"], input_of(surface, "Emission"))
     elif isinstance(emissive, str) and emissive.startswith("#"):
-        surface.inputs["Emission"].default_value = (*linear_of(emissive), 1)
+        input_of(surface, "Emission").default_value = (*linear_of(emissive), 1)
     if "normal" in files:
         bend = nodes.new("ShaderNodeNormalMap")
         bend.uv_map = LAYER
@@ -868,29 +890,43 @@ def linear_of(code):
     return result
 
 
-def bake(thing, recipe_arguments, size, y_up, name, save_beside):
-    """Bakes a mesh and gives it the result; returns a sentence on what changed of its polygons, or nothing."""
-    mesh = thing.data
-    if not mesh.polygons:
-        raise BurlError(f"\"{thing.name}\" has no faces.")
-    with tempfile.TemporaryDirectory(prefix="burl-") as folder:
-        write_obj(mesh, os.path.join(folder, "mesh.obj"), y_up)
-        stem = bpy.path.clean_name(f"{thing.name} {name}")
-        report = json.loads(run("bake", "mesh.obj", "-o", stem + ".obj", *recipe_arguments, "--size", str(size), "--atlas", "patch",
-                                "--json", folder=folder))
-        files = {"base_color": os.path.join(folder, stem + ".png")}
-        for output in report["outputs"]:
-            rest = os.path.basename(output)[len(stem) + 1 :]
+class Bake:
+    """A bake of one mesh: the program's work first, and what changes the .blend after it, so that an error changes nothing."""
+
+    def __init__(self, folder, thing, recipe_arguments, size, y_up, name):
+        if not thing.data.polygons:
+            raise BurlError(f"\"{thing.name}\" has no faces.")
+        self.folder, self.thing, self.y_up, self.name = tempfile.mkdtemp(dir=folder), thing, y_up, name
+        self.stem = bpy.path.clean_name(f"{thing.name} {name}")
+        write_obj(thing.data, self.path("mesh.obj"), y_up)
+        arguments = ("mesh.obj", "-o", self.stem + ".obj", *recipe_arguments, "--size", str(size), "--atlas", "patch", "--json")
+        self.report = json.loads(run("bake", *arguments, folder=self.folder))
+
+    def path(self, file):
+        return os.path.join(self.folder, file)
+
+    def pictures(self):
+        """The bake's pictures by channel."""
+        files = {"base_color": self.path(self.stem + ".png")}
+        for output in self.report["outputs"]:
+            rest = os.path.basename(output)[len(self.stem) + 1 :]
             if output.endswith(".png") and rest != "png":
-                files[rest[: -len(".png")]] = os.path.join(folder, os.path.basename(output))
-        with open(os.path.join(folder, stem + ".mtl")) as file:
+                files[rest[: -len(".png")]] = self.path(os.path.basename(output))
+        return files
+
+    def apply(self, save_beside):
+        """Gives the mesh its texture coordinates and material; returns a sentence on polygons that were cut, or nothing."""
+        mesh = self.thing.data
+        with open(self.path(self.stem + ".mtl")) as file:
             transparent = "map_d" in file.read()
-        cut = apply_atlas(mesh, os.path.join(folder, stem + ".obj"), y_up)
-        settings = report["recipe"].get("material", {})
-        material = principled_of(f"{thing.name} {name}", files, settings, transparent, save_beside)
-    mesh.materials.clear()
-    mesh.materials.append(material)
-    return f"{cut} polygons of \"{thing.name}\" became triangles, because a seam of the atlas crosses them." if cut else ""
+        cut = apply_atlas(mesh, self.path(self.stem + ".obj"), self.y_up)
+        settings = self.report["recipe"].get("material", {})
+        title = f"{self.thing.name} {self.name}"
+        material = principled_of(title, self.pictures(), settings, transparent, save_beside)
+        mesh.materials.clear()
+        mesh.materials.append(material)
+        mesh.polygons.foreach_set("material_index", numpy.zeros(len(mesh.polygons), numpy.int32))
+        return f"{cut} polygons of \"{self.thing.name}\" became triangles, because a seam of the atlas crosses them." if cut else ""
 
 
 # ---------------------------------------------------------------- the panel
@@ -978,20 +1014,16 @@ class BurlOperator:
         try:
             if settings.pictures == "FILES" and not bpy.data.filepath:
                 raise BurlError("Save the .blend first, so that pictures can lie beside it.")
-            jobs = [(thing, *self.job(thing, settings)) for thing in selected_meshes(context)]
-            for thing, arguments, y_up, name in jobs:
-                said = bake(thing, arguments, settings.size, y_up, name, settings.pictures == "FILES")
-                if said:
-                    self.report({"INFO"}, said)
+            with tempfile.TemporaryDirectory(prefix="burl-") as folder:
+                jobs = [(thing, *self.job(thing, settings, folder)) for thing in selected_meshes(context)]
+                bakes = [Bake(folder, thing, arguments, settings.size, y_up, name) for thing, arguments, y_up, name in jobs]
+                said = [one.apply(settings.pictures == "FILES") for one in bakes]
+            for sentence in filter(None, said):
+                self.report({"INFO"}, sentence)
         except BurlError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        finally:
-            self.clean()
         return {"FINISHED"}
-
-    def clean(self):
-        pass
 
 
 class BURL_OT_carve(BurlOperator, bpy.types.Operator):
@@ -999,7 +1031,7 @@ class BURL_OT_carve(BurlOperator, bpy.types.Operator):
     bl_label = "Carve"
     bl_description = "Give the selected meshes the chosen material of Burl"
 
-    def job(self, thing, settings):
+    def job(self, thing, settings, folder):
         if not settings.material:
             raise BurlError("Choose a material.")
         if not settings.controls:
@@ -1016,7 +1048,7 @@ class BURL_OT_bake_nodes(BurlOperator, bpy.types.Operator):
     bl_label = "Bake my nodes"
     bl_description = "Bake the procedural nodes of the selected meshes' materials, without unwrapping"
 
-    def job(self, thing, settings):
+    def job(self, thing, settings, folder):
         material = thing.active_material
         if material is None:
             raise BurlError(f"\"{thing.name}\" has no material.")
@@ -1026,15 +1058,10 @@ class BURL_OT_bake_nodes(BurlOperator, bpy.types.Operator):
         recipe = translator.recipe(settings.size)
         for note in dict.fromkeys(translator.notes):
             self.report({"WARNING"}, f"{material.name}: {note}.")
-        self.folder = getattr(self, "folder", None) or tempfile.mkdtemp(prefix="burl-")
-        path = os.path.join(self.folder, f"{thing.as_pointer()}.json")
+        path = os.path.join(folder, f"{thing.as_pointer()}.json")
         with open(path, "w") as file:
             json.dump(recipe, file)
         return ["--recipe", path], False, material.name
-
-    def clean(self):
-        if getattr(self, "folder", None):
-            shutil.rmtree(self.folder, ignore_errors=True)
 
 
 class BURL_PT_panel(bpy.types.Panel):
