@@ -400,10 +400,14 @@ def write_sheet(path, pairs):
     image.save()
 
 
-def main():
+def install():
     bpy.ops.preferences.addon_install(filepath=addon)
     bpy.ops.preferences.addon_enable(module="burl_addon")
     bpy.context.preferences.addons["burl_addon"].preferences.program = burl
+
+
+def main():
+    install()
     check_carve()
     check_refusal()
     scene = bpy.context.scene
@@ -429,4 +433,5 @@ def main():
         sys.exit(1)
 
 
-main()
+if __name__ == "__main__":
+    main()
