@@ -970,7 +970,14 @@ def at_path(recipe, path):
     return recipe
 
 
-def fill_controls(settings, context=None):
+def material_chosen(settings, context):
+    try:
+        fill_controls(settings)
+    except BurlError:  # the button says what is wrong
+        settings.controls.clear()
+
+
+def fill_controls(settings):
     """The controls of the chosen material, at the values that it has by itself."""
     settings.controls.clear()
     if not settings.material:
@@ -988,7 +995,7 @@ def fill_controls(settings, context=None):
 
 
 class BurlSettings(bpy.types.PropertyGroup):
-    material: EnumProperty(name="Material", items=list_of_materials, update=fill_controls)
+    material: EnumProperty(name="Material", items=list_of_materials, update=material_chosen)
     controls: CollectionProperty(type=BurlControl)
     size: IntProperty(name="Size", description="Side of the pictures in texels", default=1024, min=16, max=16384)
     pictures: EnumProperty(name="Pictures", items=[("PACK", "Packed", "In the .blend"), ("FILES", "Files", "Beside the .blend")])

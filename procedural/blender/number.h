@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 
 #include "procedural/numbers/dual.h"
@@ -50,9 +51,15 @@ template <class T>
 T larger(const T& a, const T& b) {
     return value_of(a) < value_of(b) ? b : a;
 }
+/// The number x, at least `low` and at most `high`; `low` where x is not a number.
 template <class T>
 T clamped(const T& x, double low = 0.0, double high = 1.0) {
-    return smaller(larger(x, T(low)), T(high));
+    if (!(value_of(x) > low)) return T(low);
+    return value_of(x) < high ? x : T(high);
+}
+/// The lowest 32 bits of a whole number; 0 where it is beyond 2^62 or not a number.
+inline std::uint32_t low_word(double whole) {
+    return std::abs(whole) < 0x1p62 ? std::uint32_t(std::int64_t(whole)) : 0u;
 }
 /// The ratio a / b, and 0 where b is 0.
 template <class T>

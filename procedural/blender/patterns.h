@@ -166,8 +166,7 @@ std::array<T, 2> brick(const Triple<T>& p, const BrickShape<T>& shape) {
     const T along = p.x + offset;
     const double number = floor_of(quotient(along, width));
     const T x = along - T(number) * width, y = p.y - T(row) * shape.height;
-    const auto word = [](double n) { return std::uint32_t(std::int64_t(n)); };
-    const double random = brick_number((word(row) << 16) + (word(number) & 0xffffu));
+    const double random = brick_number((low_word(row) << 16) + (low_word(number) & 0xffffu));
     const T tint = clamped(T(random) + shape.bias);
     const T nearest = smaller(smaller(x, y), smaller(width - x, shape.height - y));
     if (!(value_of(nearest) < value_of(shape.mortar))) return {tint, T(0.0)};

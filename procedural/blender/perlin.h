@@ -29,9 +29,7 @@ T noise(const Triple<T>& p) {
     const auto fade = [](const T& t) { return t * t * t * (t * (t * T(6.0) - T(15.0)) + T(10.0)); };
     const T u = fade(f.x), v = fade(f.y), w = fade(f.z);
     const auto corner = [&](int i, int j, int k) {
-        const auto word = [](double x, int step) {
-            return std::uint32_t(std::int64_t(x)) + std::uint32_t(step);
-        };
+        const auto word = [](double x, int step) { return low_word(x) + std::uint32_t(step); };
         const std::uint32_t hash = hash_words({word(cell.x, i), word(cell.y, j), word(cell.z, k)});
         return corner_ramp(hash, f.x - T(i), f.y - T(j), f.z - T(k));
     };
