@@ -93,6 +93,7 @@ class Translator:
     def __init__(self, material, thing):
         self.material, self.thing = material, thing
         self.define, self.known, self.problems, self.notes = {}, {}, [], []
+        self.uv_layer = None  # the mesh's UV layer that nodes read
 
     # A value is a pair: the JSON of a node, and what it is: "number", "vector" or "color".
 
@@ -298,7 +299,26 @@ def texture_coordinates(t, stack, node, socket):
         if node.object is None:
             return POINT, "vector"
         return affine(node.object.matrix_world.inverted_safe() @ t.thing.matrix_world), "vector"
+    if socket.name == "UV":
+        return uv_of(t, stack, node, "")
     return t.fail(stack, node, f"Texture Coordinate {socket.name}")
+
+
+def uv_map(t, stack, node, socket):
+    return uv_of(t, stack, node, node.uv_map)
+
+
+def uv_of(t, stack, node, name):
+    """The mesh's own texture coordinates, whose rows the OBJ file counts from the bottom and a recipe from the top."""
+    layers = t.thing.data.uv_layers
+    name = name or next((layer.name for layer in layers if layer.active_render), "")
+    if name not in layers:
+        return t.fail(stack, node, f"a UV layer \"{name}\" that the mesh does not have")
+    if t.uv_layer not in (None, name):
+        return t.fail(stack, node, "a second UV layer")
+    t.uv_layer = name
+    upright = {"node": "transform", "scale": [1, -1, 1], "translate": [0, 1, 0], "input": POINT}
+    return {"node": "mesh_uv", "input": upright}, "vector"
 
 
 def geometry(t, stack, node, socket):
@@ -591,7 +611,7 @@ def own_value(t, stack, node, socket):
 
 
 HANDLERS = {
-    "ShaderNodeTexCoord": texture_coordinates, "ShaderNodeNewGeometry": geometry, "ShaderNodeMapping": mapping,
+    "ShaderNodeTexCoord": texture_coordinates, "ShaderNodeUVMap": uv_map, "ShaderNodeNewGeometry": geometry, "ShaderNodeMapping": mapping,
     "ShaderNodeTexNoise": noise, "ShaderNodeTexMusgrave": musgrave, "ShaderNodeTexVoronoi": voronoi, "ShaderNodeTexWave": wave,
     "ShaderNodeTexMagic": magic, "ShaderNodeTexGradient": gradient, "ShaderNodeTexBrick": brick, "ShaderNodeTexChecker": checker,
     "ShaderNodeTexWhiteNoise": white_noise, "ShaderNodeValToRGB": color_ramp, "ShaderNodeRGBCurve": curves, "ShaderNodeMix": mix,
@@ -658,8 +678,8 @@ def numbered(points, triangles):
     return numbers_of[same], len(used)
 
 
-def write_obj(mesh, path, y_up):
-    """Writes the triangles of a mesh with the normals of its corners."""
+def write_obj(mesh, path, y_up, uv_layer=None):
+    """Writes the triangles of a mesh with the normals of its corners, and their texture coordinates in a layer."""
     triangles, loops, _ = loops_of(mesh)
     points = points_of(mesh, y_up)
     normals = numpy.empty(3 * len(mesh.loops), numpy.float32)
@@ -671,9 +691,14 @@ def write_obj(mesh, path, y_up):
     normals = normals.reshape(-1, 3)
     if y_up:
         normals = normals[:, [0, 2, 1]] * [1, 1, -1]
-    corners = numpy.stack([triangles, loops], axis=2).reshape(-1, 6) + 1
+    corners, form, places = numpy.stack([triangles, loops], axis=2).reshape(-1, 6) + 1, "f %d//%d %d//%d %d//%d\n", numpy.zeros((0, 2))
+    if uv_layer:
+        places = numpy.empty(2 * len(mesh.loops), numpy.float32)
+        mesh.uv_layers[uv_layer].data.foreach_get("uv", places)
+        places = places.reshape(-1, 2)
+        corners, form = numpy.stack([triangles, loops, loops], axis=2).reshape(-1, 9) + 1, "f %d/%d/%d %d/%d/%d %d/%d/%d\n"
     with open(path, "w") as file:
-        for line, rows in (("v %.9g %.9g %.9g\n", points), ("vn %.6g %.6g %.6g\n", normals), ("f %d//%d %d//%d %d//%d\n", corners)):
+        for line, rows in (("v %.9g %.9g %.9g\n", points), ("vt %.9g %.9g\n", places), ("vn %.6g %.6g %.6g\n", normals), (form, corners)):
             file.write("".join(line % tuple(row) for row in rows.tolist()))
 
 
@@ -893,12 +918,12 @@ def linear_of(code):
 class Bake:
     """A bake of one mesh: the program's work first, and what changes the .blend after it, so that an error changes nothing."""
 
-    def __init__(self, folder, thing, recipe_arguments, size, y_up, name):
+    def __init__(self, folder, thing, recipe_arguments, size, y_up, name, uv_layer):
         if not thing.data.polygons:
             raise BurlError(f"\"{thing.name}\" has no faces.")
         self.folder, self.thing, self.y_up, self.name = tempfile.mkdtemp(dir=folder), thing, y_up, name
         self.stem = bpy.path.clean_name(f"{thing.name} {name}")
-        write_obj(thing.data, self.path("mesh.obj"), y_up)
+        write_obj(thing.data, self.path("mesh.obj"), y_up, uv_layer)
         arguments = ("mesh.obj", "-o", self.stem + ".obj", *recipe_arguments, "--size", str(size), "--atlas", "patch", "--json")
         self.report = json.loads(run("bake", *arguments, folder=self.folder))
 
@@ -1023,7 +1048,7 @@ class BurlOperator:
                 raise BurlError("Save the .blend first, so that pictures can lie beside it.")
             with tempfile.TemporaryDirectory(prefix="burl-") as folder:
                 jobs = [(thing, *self.job(thing, settings, folder)) for thing in selected_meshes(context)]
-                bakes = [Bake(folder, thing, arguments, settings.size, y_up, name) for thing, arguments, y_up, name in jobs]
+                bakes = [Bake(folder, thing, arguments, settings.size, *rest) for thing, arguments, *rest in jobs]
                 said = [one.apply(settings.pictures == "FILES") for one in bakes]
             for sentence in filter(None, said):
                 self.report({"INFO"}, sentence)
@@ -1047,7 +1072,7 @@ class BURL_OT_carve(BurlOperator, bpy.types.Operator):
         for control in settings.controls:
             code = "#%02x%02x%02x" % tuple(round(255 * x) for x in control.color)
             arguments += ["--set", f"{control.name}={code if control.is_color else repr(round(control.number, 9))}"]
-        return arguments, True, settings.material
+        return arguments, True, settings.material, None
 
 
 class BURL_OT_bake_nodes(BurlOperator, bpy.types.Operator):
@@ -1068,7 +1093,7 @@ class BURL_OT_bake_nodes(BurlOperator, bpy.types.Operator):
         path = os.path.join(folder, f"{thing.as_pointer()}.json")
         with open(path, "w") as file:
             json.dump(recipe, file)
-        return ["--recipe", path], False, material.name
+        return ["--recipe", path], False, material.name, translator.uv_layer
 
 
 class BURL_PT_panel(bpy.types.Panel):
