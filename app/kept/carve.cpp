@@ -21,6 +21,7 @@ namespace burl {
 namespace {
 
 constexpr int triangles_mode = 4;
+constexpr const char* draco = "KHR_draco_mesh_compression";
 constexpr const char* block_attribute = "_BURL_BLOCK";
 
 /// Number of sets TEXCOORD_0, TEXCOORD_1, ... of a primitive.
@@ -53,7 +54,7 @@ class Carver {
         for (auto& [key, group] : groups_) carve(group);
         material_.assign();
         say_losses();
-        document_.json["asset"]["extras"]["burl"] = burl_extras(carved_.content);
+        document_.bakes.push_back(burl_extras(carved_.content));
         return material_.take_files();
     }
 
@@ -318,10 +319,7 @@ void Carver::carve(VertexGroup& group) {
         target["attributes"] = attributes;
         if (!targets.empty()) target["targets"] = targets;
         write_indices(group, r, target);
-        if (target.contains("extensions")) {
-            target["extensions"].erase("KHR_draco_mesh_compression");
-            if (target["extensions"].empty()) target.erase("extensions");
-        }
+        erase_extension(target, draco);
         material_.use_at({group.mesh, std::size_t(group.runs[r]->primitive)}, set);
     }
 }

@@ -74,6 +74,12 @@ std::vector<std::uint8_t> aligned(const Elements& elements, std::size_t stride) 
 
 }  // namespace
 
+bool erase_extension(Json& object, const char* name) {
+    if (!object.contains("extensions") || object["extensions"].erase(name) == 0) return false;
+    if (object["extensions"].empty()) object.erase("extensions");
+    return true;
+}
+
 KeptDocument::KeptDocument(const FileBuffer& file)
     : folder_(std::filesystem::path(file.path).parent_path().string()) {
     tinygltf::Model model = load_gltf(file);
@@ -85,11 +91,10 @@ KeptDocument::KeptDocument(const FileBuffer& file)
         views_.push_back(
             std::span(buffer).subspan(number(view, "byteOffset"), number(view, "byteLength")));
         view["buffer"] = 0;
-        if (view.contains("extensions") &&
-            view["extensions"].erase("EXT_meshopt_compression") > 0 && losses.empty())
-            losses.push_back(
-                "EXT_meshopt_compression: the buffers' compressed copies are left out, their "
-                "uncompressed data is kept");
+        if (!erase_extension(view, "EXT_meshopt_compression") || !losses.empty()) continue;
+        losses.emplace_back(
+            "EXT_meshopt_compression: the buffers' compressed copies are left out, their "
+            "uncompressed data is kept");
     }
     json.erase("buffers");
 }
@@ -170,6 +175,14 @@ std::size_t KeptDocument::add_indices(const std::vector<std::uint32_t>& indices,
 void KeptDocument::use_extension(const std::string& name) {
     Json& used = json["extensionsUsed"];
     if (std::ranges::find(used, Json(name)) == used.end()) used.push_back(name);
+}
+
+void KeptDocument::forget_extension(const std::string& name) {
+    if (!json.contains("extensionsUsed")) return;
+    Json& used = json["extensionsUsed"];
+    const auto found = std::ranges::find(used, Json(name));
+    if (found != used.end()) used.erase(found);
+    if (used.empty()) json.erase("extensionsUsed");
 }
 
 bool KeptDocument::knows_references() const {

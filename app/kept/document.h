@@ -49,6 +49,8 @@ class KeptDocument {
     Json json;
     /// Sentences about what of the file the document could not keep.
     std::vector<std::string> losses{};
+    /// What `asset.extras.burl` is to say of the bakes, one after the other.
+    std::vector<Json> bakes{};
     /// The uris of images that were added and lie beside the output.
     std::vector<std::string> new_uris{};
     /// The copies of the file's meshes that were made for some of their nodes (mesh and nodes).
@@ -72,8 +74,9 @@ class KeptDocument {
     /// Adds an accessor of vertex indices, of 16 bits where all of `vertices` vertices allow it.
     std::size_t add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
 
-    /// Adds an extension to the list of those used.
+    /// Adds an extension to the list of those used, or takes it from there.
     void use_extension(const std::string& name);
+    void forget_extension(const std::string& name);
 
     /// Whether all extensions are among those whose references are known, so that indices may
     /// change.
@@ -94,6 +97,9 @@ class KeptDocument {
     std::deque<std::vector<std::uint8_t>> added_;
     std::vector<std::span<const std::uint8_t>> views_;
 };
+
+/// Removes an extension from an object; returns whether it had that.
+bool erase_extension(Json& object, const char* name);
 
 /// Calls visit(reference) for each index into `list` that the document has in places that are
 /// known.

@@ -63,7 +63,7 @@ void visit_views(Json& document, const Visit& visit) {
     visit_list(document, "images", [&](Json& image) { visit_key(image, "bufferView", visit); });
     visit_primitives(document, [&](Json& primitive) {
         visit_extension(primitive, "KHR_draco_mesh_compression",
-                        [&](Json& draco) { visit_key(draco, "bufferView", visit); });
+                        [&](Json& packed) { visit_key(packed, "bufferView", visit); });
     });
 }
 

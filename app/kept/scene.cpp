@@ -73,6 +73,16 @@ bool keeps_document(const std::string& mesh_path, const std::string& out_path) {
            is_gltf(out_path);
 }
 
+std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path) {
+    return std::make_shared<KeptScene>(read_file(mesh_path));
+}
+
+void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& options,
+             const std::string& pictures) {
+    scene.origins = read_gltf_origins(read_file(mesh_path), options);
+    scene.pictures = lower_extension(pictures) == ".glb" ? "" : pictures;
+}
+
 std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content,
                                    std::span<const CornerOrigin> corners) {
     KeptDocument& document = scene.document;

@@ -26,6 +26,14 @@ struct KeptScene {
 /// Whether a bake of the mesh file to the output keeps the document of the mesh: both are glTF.
 bool keeps_document(const std::string& mesh_path, const std::string& out_path);
 
+/// The document of the mesh file. Throws Error as load_gltf() does.
+std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path);
+
+/// Makes the scene ready for a bake of the mesh that is read with `options`, whose pictures beside
+/// a .gltf are named after `pictures`. Throws Error as read_mesh() does.
+void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& options,
+             const std::string& pictures);
+
 /// Carves the scene's document. Returns all its files where this is the last bake, else none.
 /// Throws Error as carve() and write_kept() do, and unsupported for a loss where the scene is
 /// strict.

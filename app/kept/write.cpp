@@ -68,6 +68,22 @@ void write_pieces(AtomicFile& file, const std::vector<std::span<const std::uint8
     }
 }
 
+/// Takes extensions off the lists that only described what has been replaced, and says in
+/// asset.extras what was baked: an object, or a list of several.
+void tidy(KeptDocument& document) {
+    const auto compressed = [](const Json& primitive) {
+        return primitive.contains(Json::json_pointer("/extensions/KHR_draco_mesh_compression"));
+    };
+    if (std::ranges::none_of(document.json["meshes"], [&](const Json& mesh) {
+            return std::ranges::any_of(mesh["primitives"], compressed);
+        }))
+        document.forget_extension("KHR_draco_mesh_compression");
+    document.forget_extension("EXT_meshopt_compression");
+    Json& extras = document.json["asset"]["extras"];
+    if (!extras.is_object()) extras = Json::object();
+    extras["burl"] = document.bakes.size() == 1 ? document.bakes.front() : Json(document.bakes);
+}
+
 std::uint64_t length_of(const Json& document) {
     return document.contains("buffers") ? document["buffers"][0]["byteLength"].get<std::uint64_t>()
                                         : 0;
@@ -77,6 +93,7 @@ std::uint64_t length_of(const Json& document) {
 
 std::vector<AtomicFile> write_kept(KeptDocument& document, const std::string& path) {
     const bool is_glb = lower_extension(path) == ".glb";
+    tidy(document);
     document.drop_unused();
     embed_images(document, path, is_glb);
     const auto pieces = document.lay_out();

@@ -135,7 +135,7 @@ class GltfSceneLoader {
 
     /// Sets the material's normal map. A map that cannot be drawn is left out with a note, since
     /// the surface still has its colour.
-    void set_normal_map(Surface& surface, const tinygltf::NormalTextureInfo& info,
+    void set_normal_map(Surface& surface, const tinygltf::NormalTextureInfo& info, int uv_set,
                         const std::string& where) {
         const auto leave_out = [&](std::string_view why) {
             scene_.notes.push_back(
@@ -143,8 +143,8 @@ class GltfSceneLoader {
         };
         if (info.extensions.contains("KHR_texture_transform"))
             return leave_out("uses KHR_texture_transform");
-        if (info.texCoord != 0 || surface.uvs.size() != surface.positions.size())
-            return leave_out("has other texture coordinates than TEXCOORD_0");
+        if (info.texCoord != uv_set || surface.uvs.size() != surface.positions.size())
+            return leave_out("has other texture coordinates than the colour");
         if (!textures_.has_png(info.index)) return leave_out("is not a PNG that is there");
         surface.material.normals = textures_.load(info.index, false);
         surface.material.normal_scale = float(info.scale);
@@ -160,10 +160,10 @@ class GltfSceneLoader {
         if (material.alphaMode == "MASK") surface.material.alpha = SceneAlpha::mask;
         if (material.alphaMode == "BLEND") surface.material.alpha = SceneAlpha::blend;
         surface.material.alpha_cutoff = float(material.alphaCutoff);
-        if (material.normalTexture.index >= 0)
-            set_normal_map(surface, material.normalTexture, where);
         const tinygltf::TextureInfo& info = material.pbrMetallicRoughness.baseColorTexture;
         if (info.index >= 0) set_base_color(surface, primitive, info, where);
+        if (material.normalTexture.index >= 0)
+            set_normal_map(surface, material.normalTexture, info.texCoord, where);
         const int uv_set = surface.uvs.size() == surface.positions.size() ? info.texCoord : -1;
         read_gltf_material(
             material,

@@ -109,6 +109,10 @@ void bake_plan(const ExportRequest& request, PlannedExport planned, const std::s
     if (!request.pose.empty() && holds_mesh(request.out))
         pose = load_pose(request.mesh, request.pose);
     pipeline.set_cache(planned.cache);
+    if (!pose && keeps_document(request.mesh, request.out)) {
+        plan.kept = kept_scene(request.mesh);
+        prepare(*plan.kept, request.mesh, {}, request.out);
+    }
     bake(pipeline, plan, pose ? &*pose : nullptr);
 }
 

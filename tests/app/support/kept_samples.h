@@ -128,6 +128,96 @@ struct BarArrays {
     std::size_t count() const { return positions.size() / 3; }
 };
 
+/// A PNG of one red texel.
+inline constexpr const char* red_png =
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/pLvAAAAAElFTkSuQmCC";
+
+/// A draft with one mesh: the bar with normals and texture coordinates.
+struct Bar : GltfDraft {
+    BarArrays arrays;
+
+    Bar() {
+        json["meshes"].push_back({{"name", "bar"}, {"primitives", Json::array({primitive()})}});
+    }
+    Json primitive() {
+        return {{"attributes",
+                 {{"POSITION", bounded(arrays.positions, 3)},
+                  {"NORMAL", floats(arrays.normals, 3)},
+                  {"TEXCOORD_0", floats(arrays.uvs, 2)}}},
+                {"indices", add(arrays.indices, 5123, "SCALAR", 1)}};
+    }
+    Json& first() { return json["meshes"][0]["primitives"][0]; }
+    Json& attributes() { return first()["attributes"]; }
+    void use(const char* extension) { json["extensionsUsed"].push_back(extension); }
+    std::size_t material(Json value) {
+        json["materials"].push_back(std::move(value));
+        return json["materials"].size() - 1;
+    }
+    std::size_t add_texture(const char* name) {
+        json["images"].push_back(
+            {{"name", name}, {"uri", std::string("data:image/png;base64,") + red_png}});
+        json["textures"].push_back({{"source", json["images"].size() - 1}, {"name", name}});
+        return json["textures"].size() - 1;
+    }
+    /// A second mesh of the same form in a node beside.
+    void add_second_mesh(const char* name) {
+        json["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive()})}});
+        json["nodes"].push_back(
+            {{"mesh", json["meshes"].size() - 1}, {"name", name}, {"translation", {2, 0, 0}}});
+        json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
+    }
+    void add_skin() {
+        attributes()["JOINTS_0"] = add(arrays.joints, 5121, "VEC4", 4);
+        attributes()["WEIGHTS_0"] = floats(arrays.weights, 4);
+        add_joints();
+    }
+    void add_joints() {
+        std::vector<float> inverse(48, 0.0f);
+        for (std::size_t m = 0; m < 3; ++m)
+            for (std::size_t k = 0; k < 4; ++k) inverse[16 * m + 5 * k] = 1.0f;
+        inverse[16 + 13] = -1.0f;
+        json["nodes"][0]["skin"] = 0;
+        json["nodes"].push_back({{"name", "hip"}, {"children", {2, 3}}});
+        json["nodes"].push_back({{"name", "knee"}, {"translation", {0, 1, 0}}});
+        json["nodes"].push_back({{"name", "tail"}});
+        json["scenes"][0]["nodes"].push_back(1);
+        json["skins"] = Json::array({{{"name", "legs"},
+                                      {"joints", {1, 2, 3}},
+                                      {"inverseBindMatrices", floats(inverse, 16)}}});
+    }
+    void add_animation(int node, const char* path, const std::vector<float>& values,
+                       std::size_t components, const char* interpolation = "LINEAR") {
+        const std::size_t times = bounded({0.0f, 0.5f, 1.25f}, 1);
+        json["animations"].push_back(
+            {{"name", fmt_name(path)},
+             {"channels",
+              Json::array({{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}}})},
+             {"samplers", Json::array({{{"input", times},
+                                        {"output", floats(values, components)},
+                                        {"interpolation", interpolation}}})}});
+    }
+    static std::string fmt_name(const char* path) { return std::string("move ") + path; }
+    void bend_knee() {
+        add_animation(2, "rotation", {0, 0, 0, 1, 0, 0, 0.38268343f, 0.92387953f, 0, 0, 0, 1}, 4);
+    }
+    std::vector<float> bulge(float by) const {
+        std::vector<float> changes;
+        for (std::size_t v = 0; v < arrays.count(); ++v) {
+            const float much = by * arrays.positions[3 * v + 1];
+            changes.insert(changes.end(), {much * arrays.normals[3 * v], 0.1f * much,
+                                           much * arrays.normals[3 * v + 2]});
+        }
+        return changes;
+    }
+    void add_targets() {
+        first()["targets"] = Json::array(
+            {{{"POSITION", bounded(bulge(0.3f), 3)}, {"NORMAL", floats(bulge(0.01f), 3)}},
+             {{"POSITION", bounded(bulge(-0.2f), 3)}}});
+        json["meshes"][0]["weights"] = {0.25, 0.0};
+        json["meshes"][0]["extras"] = {{"targetNames", {"fat", "thin"}}};
+    }
+};
+
 /// The samples by name; each is the text of a .gltf.
 std::map<std::string, std::string> kept_samples();
 

@@ -1,0 +1,76 @@
+// The part of a bake that goes back into the mesh's own document: its files, its further atlases,
+// and what it loses.
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/bake/job.h"
+#include "app/base/stopwatch.h"
+#include "atlas/base/error.h"
+
+namespace burl {
+
+std::vector<std::string> BakeJob::paths_of(const std::string& out, std::uint32_t levels) const {
+    return output_paths(out, levels, has_normals(), picture_names(recipe(), plan_.material()),
+                        plan_.material().rough_levels());
+}
+
+/// The files of a document with several atlases: those of the document, then each atlas's pictures.
+std::vector<std::string> BakeJob::document_outputs(std::uint32_t levels) const {
+    const bool has_buffer = paths_of(command_.out, 0).size() > 1;  // .gltf, whose second is .bin
+    const std::ptrdiff_t own = has_buffer ? 2 : 1;
+    std::vector<std::string> outputs = paths_of(command_.out, 0);
+    outputs.resize(std::size_t(own));
+    const auto add_pictures = [&](const BakeJob& job) {
+        const std::vector<std::string> paths = job.paths_of(job.pictures_, levels);
+        outputs.insert(outputs.end(), paths.begin() + own, paths.end());
+    };
+    add_pictures(*this);
+    std::ranges::for_each(others_, add_pictures);
+    return outputs;
+}
+
+/// Whether the mesh goes back into the document that it was read from.
+bool BakeJob::kept_document() const {
+    return command_.pose.empty() && !plan_.displaces && keeps_document(command_.mesh, command_.out);
+}
+
+/// The document that the bake goes back to; null where the output is a scene of its own.
+std::shared_ptr<KeptScene> BakeJob::kept_scene() const {
+    if (!kept_document()) return nullptr;
+    std::shared_ptr<KeptScene> kept = burl::kept_scene(command_.mesh);
+    kept->uv_set = command_.uv_set;
+    kept->is_strict = command_.strict;
+    return kept;
+}
+
+/// Bakes the document's further atlases; the files of all are committed with the last.
+void BakeJob::bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& result,
+                          Json& reports) const {
+    for (const BakeJob& other : others_) {
+        const auto start = std::chrono::steady_clock::now();
+        Pipeline pipeline(other.command_.load_mesh());
+        const double reading = seconds_since(start);
+        kept->is_last = &other == &others_.back();
+        const auto synthesizer = other.synthesizer();
+        const BakeResult one = other.bake_into(pipeline, synthesizer, kept, LaterBake::none);
+        Json seconds = {{"read", reading}, {"total", seconds_since(start)}};
+        reports.push_back(other.report_of(pipeline, one, synthesizer.get(), std::move(seconds)));
+        result.committed.insert(result.committed.end(), one.committed.begin(), one.committed.end());
+        result.lost = one.lost;
+    }
+}
+
+/// Says what of the mesh's document the output does not hold; with --strict, before the bake.
+std::vector<std::string> BakeJob::losses_before() const {
+    if (!holds_mesh(command_.out) || kept_document()) return {};
+    const std::vector<std::string> losses = losses_of_flat(command_.mesh);
+    if (!losses.empty() && command_.strict)
+        throw Error(ExitCode::unsupported,
+                    fmt::format("{}: --strict: {}", command_.out, losses_sentence(losses)));
+    return losses;
+}
+
+}  // namespace burl
