@@ -1030,6 +1030,10 @@ def selected_meshes(context):
     things = [thing for thing in context.selected_objects if thing.type == "MESH"]
     if not things:
         raise BurlError("Select a mesh.")
+    if len({thing.data for thing in things}) < len(things):
+        raise BurlError("Two of the selected objects share a mesh; select one of them, or make the mesh single-user.")
+    if any(thing.data.library for thing in things):
+        raise BurlError("A selected mesh belongs to another .blend; make it local first.")
     return things
 
 

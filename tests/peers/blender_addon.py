@@ -391,6 +391,20 @@ def unwrapped_by_blender():
     return seconds, len(thing.data.polygons)
 
 
+def check_shared():
+    """Objects that share a mesh are refused, and nothing changes."""
+    thing = suzanne()
+    twin = bpy.data.objects.new("twin", thing.data)
+    bpy.context.scene.collection.objects.link(twin)
+    twin.select_set(True)
+    try:
+        bpy.ops.burl.carve()
+    except RuntimeError as error:
+        assert "share a mesh" in str(error) and "Burl" not in thing.data.uv_layers
+        return
+    raise AssertionError("a shared mesh was carved twice")
+
+
 def write_sheet(path, pairs):
     """The pictures in rows of ten, ours above Cycles's, reduced to 128 texels."""
     step = max(side // 128, 1)
@@ -416,6 +430,7 @@ def main():
     install()
     check_carve()
     check_refusal()
+    check_shared()
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.samples = 1
