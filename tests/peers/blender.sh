@@ -12,5 +12,5 @@ export BLENDER_USER_SCRIPTS=$scratch/scripts
 mkdir -p "$BLENDER_USER_SCRIPTS"
 case $what in
     points) "${blend[@]}" "$here/blender_points.py" -- "$burl" "$scratch/points" 2000 ;;
-    addon) "${blend[@]}" "$here/blender_addon.py" -- "$here/../../app/blender/burl_addon.py" "$burl" 256 | grep -v '^Fra:' ;;
+    addon) "${blend[@]}" "$here/blender_addon.py" -- "$here/../../app/blender/burl_addon.py" "$burl" 512 | grep -v '^Fra:' ;;
 esac
