@@ -10,6 +10,7 @@
 
 #include "app/bake/report.h"
 #include "app/bake/up_to_date.h"
+#include "app/bake/vertex_colors.h"
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
 #include "app/base/sha256.h"
@@ -19,11 +20,13 @@
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
+#include "app/options/metres.h"
 #include "app/pipeline/fill_texture.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
 
 namespace burl {
 
@@ -73,17 +76,21 @@ BakePlan plan_of(const BakeCommand& command,
     plan.recipe = [recipes](std::size_t number) { return (*recipes)[number]; };
     plan.tell = [](const std::string& what) { warn(what); };
     plan.depth = command.bits();
+    plan.coding = coding_asked(command.picture_format, command.out);
+    plan.exr_depth = command.depth == 32 ? ExrDepth::full : ExrDepth::half;
     plan.crease_degrees = command.crease_degrees();
     const Recipe& first = recipes->front();
     plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
     plan.displaces = command.displace.has_value();
     const std::string& normals =
-        plan.displaces && command.normals.empty() ? "none" : command.normals;
+        (plan.displaces || command.vertex_colors) && command.normals.empty() ? "none"
+                                                                             : command.normals;
     plan.normals = normals_asked(normals, first, command.out);
     plan.normals_down = command.normal_y == "-";
     plan.packing = packing_asked(command.packing, command.out);
     plan.compress = command.compress;
     plan.channels = command.channels;
+    plan.vertex_colors = command.vertex_colors;
     plan.solid_map = command.solid_map;
     plan.shader = command.emitted_glsl;
     plan.threads = command.threads;
@@ -130,13 +137,15 @@ BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
 
 std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     std::vector<std::string> outputs;
-    if (pictures_ != command_.out)
+    if (command_.vertex_colors)
+        outputs = paths_without_texture(command_.out);
+    else if (pictures_ != command_.out)
         outputs = document_outputs(levels);
     else
         for (const std::string& path : plan_.paths)
             std::ranges::move(paths_of(path, levels), std::back_inserter(outputs));
     for (const std::string& name : command_.channels)
-        outputs.push_back(picture_path(command_.out, name));
+        outputs.push_back(picture_path(command_.out, name, plan_.coding.format));
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
         if (!path.empty()) outputs.push_back(path);
     return outputs;
@@ -155,10 +164,11 @@ void BakeJob::check_files() const {
 /// Checks the command before any work starts. Throws Error.
 void BakeJob::check() const {
     if (command_.animation.asked() && holds_mesh(command_.out))
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: --frames writes textures alone, .png or .exr; bake the mesh "
-                                "once without --frames: its texture coordinates fit every frame",
-                                command_.out));
+        throw Error(
+            ExitCode::usage,
+            fmt::format("{}: --frames writes textures alone, .png or .exr, say; bake the mesh "
+                        "once without --frames: its texture coordinates fit every frame",
+                        command_.out));
     check_files();
     const AtlasKind kind = recipe().atlas.kind;
     if (command_.compress && kind != AtlasKind::quad)
@@ -171,6 +181,13 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
+    check_vertex_colors();
+    if (!command_.pose.empty() && command_.meshes.read.choice.any())
+        throw Error(
+            ExitCode::usage,
+            "--pose moves the whole mesh, and a choice of its parts some of it; leave one of "
+            "the two out");
+    check_coding();
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_idle();
 }
@@ -200,6 +217,46 @@ void BakeJob::check_displacement() const {
     if (!command_.pose.empty()) refuse("a pose has points of its own; leave one of the two out");
 }
 
+/// Throws Error(usage) where --vertex-colors has no place, or makes another option idle.
+void BakeJob::check_vertex_colors() const {
+    if (!command_.vertex_colors) return;
+    if (!holds_colors(command_.out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
+                                "with colours",
+                                command_.out));
+    for (const RecipeEdit& edit : command_.recipe.edits())
+        if (edit.path.starts_with("atlas."))
+            throw Error(ExitCode::usage,
+                        fmt::format("{} does nothing: --vertex-colors writes no texture; leave one "
+                                    "of the two out",
+                                    edit.said));
+}
+
+/// Throws Error(usage) where the pictures cannot have what else is asked for.
+void BakeJob::check_coding() const {
+    const TextureFormat format = plan_.coding.format;
+    const auto refuse = [&](std::string_view what, const std::string& why) {
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: {} with pictures in {}: {}; write them in png", command_.out,
+                                what, to_string(format), why));
+    };
+    if (command_.depth == 32 && plan_.kind != ImageKind::rgb_float)
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --depth 32: only an .exr has 32-bit floats", command_.out));
+    if (format == TextureFormat::png) return;
+    if (plan_.depth == 16 && command_.depth != 32) refuse("--depth 16", "its codes have 8 bits");
+    if (recipe().atlas.size > most_pixels(format) && plan_.kind != ImageKind::rgb_float)
+        refuse(fmt::format("--size {}", recipe().atlas.size),
+               fmt::format("it has at most {} pixels a side", most_pixels(format)));
+    if (format != TextureFormat::jpeg || plan_.kind == ImageKind::rgb_float) return;
+    if (is_transparent(recipe())) refuse("opacity", "it has no alpha");
+    for (const MaterialPicture& picture :
+         material_pictures(recipe(), plan_.packing, plan_.material().rough_levels()))
+        if (picture.components == 4)
+            refuse(fmt::format("the picture {}", picture.name), "it has no alpha");
+}
+
 /// Throws Error(usage) if an option would have no effect.
 void BakeJob::check_idle() const {
     const auto refuse = [&](std::string_view option, std::string_view why) {
@@ -208,8 +265,10 @@ void BakeJob::check_idle() const {
     };
     const bool mesh = holds_mesh(command_.out), normals = has_normals();
     const bool pictures = normals || !command_.channels.empty();
-    if (command_.depth && plan_.kind == ImageKind::rgb_float && !pictures)
+    if (command_.depth.value_or(32) != 32 && plan_.kind == ImageKind::rgb_float && !pictures)
         refuse("--depth", "an .exr always has floats");
+    if (!command_.picture_format.empty() && plan_.kind == ImageKind::rgb_float && !pictures)
+        refuse("--picture-format", "there is no picture beside the .exr");
     if (command_.normal_y == "-" && !normals) refuse("--normal-y", "there is no normal map");
     if (command_.normal_y == "-" && plan_.normals == NormalSpace::object)
         refuse("--normal-y -", "normals in object space have the mesh's own axes");
@@ -278,12 +337,20 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
     return made_from;
 }
 
+/// The recipe's keys of the pose's weight.
+KeyTrack BakeJob::pose_keys() const {
+    for (const KeyTrack& track : command_.recipe.load_keyed().animation.tracks)
+        if (track.path == "pose.weight") return track;
+    return {};
+}
+
 BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                               const std::shared_ptr<KeptScene>& kept, LaterBake later) const {
-    for (const Recipe& recipe : *recipes_) check_lattice(recipe, pipeline.mesh());
+    std::vector<Recipe> recipes = *recipes_;
+    set_metres(recipes, command_.recipe, command_.meshes.frame, pipeline.mesh());
+    for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
     std::optional<MeshPose> pose;
-    if (!command_.pose.empty())
-        pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
+    if (!command_.pose.empty()) pose = command_.meshes.pose(command_.mesh, command_.pose);
     pipeline.set_threads(command_.threads);
     pipeline.set_kernel(kernel_named(command_.kernel));
     pipeline.set_forward(command_.kernel == forward_kernel);
@@ -291,9 +358,17 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     pipeline.set_skips(command_.economy.skips());
     pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
     BakePlan plan = plan_;
+    plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
+    if (lower_extension(command_.out) == ".obj" && !command_.displace)
+        plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
     plan.kept = kept;
-    if (kept) prepare(*kept, command_.mesh, command_.meshes.read, pictures_);
-    return bake(pipeline, plan, pose ? &*pose : nullptr, later);
+    if (pose) plan.pose_keys = pose_keys();
+    if (kept)
+        prepare(*kept, command_.mesh, command_.meshes.read, pictures_,
+                frame_transform(command_.meshes.frame));
+    const MeshPose* const posed = pose ? &*pose : nullptr;
+    return plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
+                              : bake(pipeline, plan, posed, later);
 }
 
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
@@ -303,6 +378,12 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     if (!holds_mesh(command_.out) && !unheld.empty())
         warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
                          unheld));
+    if (plan_.depth == 16 && is_gltf(command_.out))
+        warn(
+            fmt::format("{}: viewers cut 16 bits to 8, and those that do not, such as VTK's, show "
+                        "them too light, since OpenGL has no 16-bit sRGB; leave --depth 16 out "
+                        "unless the file goes elsewhere",
+                        command_.out));
     const std::vector<std::string> flat = losses_before();
     const std::shared_ptr<KeptScene> kept = kept_scene();
     if (kept) kept->is_last = others_.empty();
@@ -314,7 +395,8 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     bake_others(kept, result, others);
     seconds["write"] = result.writing;
     seconds["total"] = reading + seconds_since(start);
-    Json report = report_of(pipeline, result, synthesizer.get(), std::move(seconds));
+    Json report =
+        report_of(pipeline, pipeline.recipe(), result, synthesizer.get(), std::move(seconds));
     if (!others.empty()) report["others"] = std::move(others);
     if (!result.lost.empty()) {
         report["lost"] = result.lost;
@@ -325,9 +407,11 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 }
 
 /// The report of a bake, as `burl bake --report` writes it.
-Json BakeJob::report_of(Pipeline& pipeline, const BakeResult& result,
+Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
-    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe(), pipeline, result,
+    if (plan_.vertex_colors)
+        return vertex_colors_json(command_.mesh, outputs(0), recipe, pipeline, std::move(seconds));
+    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe, pipeline, result,
                             std::move(seconds));
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)

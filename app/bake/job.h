@@ -62,16 +62,19 @@ class BakeJob {
     void bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& result,
                      Json& reports) const;
     bool kept_document() const;
+    KeyTrack pose_keys() const;
     std::vector<std::string> losses_before() const;
     std::vector<std::string> paths_of(const std::string& out, std::uint32_t levels) const;
     std::vector<std::string> document_outputs(std::uint32_t levels) const;
-    Json report_of(Pipeline& pipeline, const BakeResult& result,
+    Json report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                    const TextureSynthesizer* synthesizer, Json seconds) const;
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;
     void check_files() const;
     std::string not_of(const Recipe& recipe) const;
     void check_displacement() const;
+    void check_vertex_colors() const;
+    void check_coding() const;
     void check_idle() const;
     Json what_it_is_made_from(const Json& settings) const;
     bool has_normals() const { return plan_.normals != NormalSpace::none; }

@@ -14,7 +14,7 @@ namespace burl {
 
 std::vector<std::string> BakeJob::paths_of(const std::string& out, std::uint32_t levels) const {
     return output_paths(out, levels, has_normals(), picture_names(recipe(), plan_.material()),
-                        plan_.material().rough_levels());
+                        plan_.material().rough_levels(), plan_.coding.format);
 }
 
 /// The files of a document with several atlases: those of the document, then each atlas's pictures.
@@ -34,7 +34,8 @@ std::vector<std::string> BakeJob::document_outputs(std::uint32_t levels) const {
 
 /// Whether the mesh goes back into the document that it was read from.
 bool BakeJob::kept_document() const {
-    return command_.pose.empty() && !plan_.displaces && keeps_document(command_.mesh, command_.out);
+    return command_.pose.empty() && !plan_.displaces && !plan_.vertex_colors &&
+           keeps_document(command_.mesh, command_.out);
 }
 
 /// The document that the bake goes back to; null where the output is a scene of its own.
@@ -57,7 +58,8 @@ void BakeJob::bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& re
         const auto synthesizer = other.synthesizer();
         const BakeResult one = other.bake_into(pipeline, synthesizer, kept, LaterBake::none);
         Json seconds = {{"read", reading}, {"total", seconds_since(start)}};
-        reports.push_back(other.report_of(pipeline, one, synthesizer.get(), std::move(seconds)));
+        reports.push_back(other.report_of(pipeline, pipeline.recipe(), one, synthesizer.get(),
+                                          std::move(seconds)));
         result.committed.insert(result.committed.end(), one.committed.begin(), one.committed.end());
         result.lost = one.lost;
     }

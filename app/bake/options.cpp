@@ -85,7 +85,8 @@ void add_channels(CLI::App& verb, BakeCommand& command) {
     const auto masks = mask_picture_names();
     verb.add_option_function<std::vector<std::string>>(
             "--channels", take,
-            "Masks of the mesh's shape to write as NAME_MASK.png, separated by commas: "
+            "Masks of the mesh's shape to write as NAME_MASK.png (or as --picture-format says), "
+            "separated by commas: "
             "occlusion, curvature, thickness, facing, height_in_box, edge_distance, part, "
             "lighting")
         ->check(list_of({masks.begin(), masks.end()}))
@@ -106,14 +107,22 @@ void add_pictures(CLI::App& verb, BakeCommand& command) {
                     "Which of a material's channels share a picture: gltf (the default of .glb "
                     "and .gltf), unreal, unity, godot, or separate (the default of the others)")
         ->check(one_of({enum_names<Packing>.begin(), enum_names<Packing>.end()}));
+    verb.add_flag("--vertex-colors", command.vertex_colors,
+                  "Colours of the mesh's points, worked out exactly, in place of a texture and its "
+                  "coordinates");
     verb.add_option("--normal-y", command.normal_y,
                     "Where the green of a normal map points: + (up, glTF, Godot, Unity) or - "
                     "(down, Unreal)")
         ->check(one_of({"+", "-"}))
         ->capture_default_str();
-    verb.add_option("--depth", command.depth, "Bits per channel of .png textures")
-        ->check(CLI::IsMember({8, 16}))
+    verb.add_option("--depth", command.depth,
+                    "Bits per channel: 8 or 16 of .png, 32 of .exr (in place of its half floats)")
+        ->check(CLI::IsMember({8, 16, 32}))
         ->default_str("8");
+    verb.add_option("--picture-format", command.picture_format,
+                    "Pictures in and beside the output: png (the default), jpeg, webp or ktx2, "
+                    "with a quality where it is not theirs: jpeg:1 to :100 (90), webp:0 to :100 "
+                    "(100, which loses nothing), ktx2:0 to :19 (zstd's level, 3)");
     verb.add_option("--crease", command.crease,
                     "Angle in degrees above which computed normals split")
         ->check(in_range(0.0, 180.0))
@@ -199,6 +208,11 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     add_pictures(verb, command);
     add_kernel(verb, command.kernel);
     add_synthesis(verb, command);
+    for (const char* option :
+         {"--levels", "--compress", "--solid-map", "--channels", "--frames", "--normals",
+          "--displace", "--pack", "--depth", "--filter", "--kernel", "--synth", "--gl",
+          "--gl-precision", "--gl-randomizer", "--gl-equalize"})
+        verb.get_option("--vertex-colors")->excludes(verb.get_option(option));
 }
 
 void add_run_options(CLI::App& verb, BakeCommand& command) {

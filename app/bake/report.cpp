@@ -63,6 +63,18 @@ Json bake_json(const std::string& input, const std::vector<std::string>& outputs
     return report;
 }
 
+Json vertex_colors_json(const std::string& input, const std::vector<std::string>& outputs,
+                        const Recipe& recipe, Pipeline& pipeline, Json seconds) {
+    return {{"input", input},
+            {"outputs", outputs},
+            {"recipe", Json::parse(to_json(recipe))},
+            {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
+            {"vertex_colors", pipeline.mesh().positions.size()},
+            {"mip_levels", 0},
+            {"seconds", std::move(seconds)},
+            {"versions", versions_json()}};
+}
+
 Json normals_json(Pipeline& pipeline, const NormalMap& map, double crease_degrees) {
     const NormalErrors errors = normal_errors(pipeline, ViewerFrames::of(pipeline, crease_degrees),
                                               components(map), map.tangent_space, 20000);
@@ -77,6 +89,12 @@ Json normals_json(Pipeline& pipeline, const NormalMap& map, double crease_degree
 void print_summary(const Json& report, const std::vector<std::string>& paths) {
     if (report.contains("up_to_date"))
         return print_line(fmt::format("{}: up to date", paths.front()));
+    if (report.contains("vertex_colors"))
+        return print_line(fmt::format("{}: {} triangles, colours of {} points, {:.2f} s",
+                                      paths.front(),
+                                      report["mesh"]["triangles"].get<std::uint64_t>(),
+                                      report["vertex_colors"].get<std::uint64_t>(),
+                                      report["seconds"]["total"].get<double>()));
     const Json& atlas = report["atlas"];
     std::string name = paths.front();
     if (paths.size() > 1) name += " to " + paths.back();

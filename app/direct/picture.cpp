@@ -14,7 +14,6 @@
 #include "app/recipe/edit/images.h"
 #include "app/recipe/lattice_check.h"
 #include "app/scene/ground.h"
-#include "app/scene/up_axis.h"
 #include "app/surface/normals.h"
 #include "app/surface/posed_corners.h"
 #include "app/surface/sample_meshes.h"
@@ -125,11 +124,6 @@ void DirectOptions::add(CLI::App& verb) {
     verb.add_option(
         "--view", view,
         "Azimuth and elevation in degrees, distance in radii: AZ,EL,DIST (default 30,20,3.5)");
-    verb.add_option("--up", up,
-                    "Axis of the scene's coordinates that is up in the picture: x, -x, y, -y, z "
-                    "(scans, CAD) or -z; textures stay as they are")
-        ->check(one_of({up_axes.begin(), up_axes.end()}))
-        ->capture_default_str();
     verb.add_option("--filter", filter,
                     "Texture lookup: nearest, linear or mip (default: as the scene says); with "
                     "--direct: none, table-mip, table-sat, table-sat3, exact or trapezoid "
@@ -193,13 +187,12 @@ DirectPicture::DirectPicture(const DirectOptions& options,
     const View view = options.parsed_view();
     if (picture_.lit && !picture_.light.is_headlight()) make_light();
     if (!options.scene.empty()) mesh_ = options.meshes.load(options.scene);
-    turn(mesh_, upright(options.up));
     normals_ = corner_normals(mesh_, options.crease);
     Mesh posed;
     if (!options.pose.empty()) {
         if (options.scene.empty())
             throw Error(ExitCode::usage, "--pose: there is no mesh that it could be of");
-        pose_ = load_pose(options.scene, options.pose, options.meshes.read);
+        pose_ = options.meshes.pose(options.scene, options.pose);
         posed_normals_ = posed_corners(mesh_, *pose_, normals_).normals;
         posed = posed_mesh(mesh_, *pose_, 1.0);
     }

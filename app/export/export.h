@@ -1,6 +1,8 @@
 #pragma once
 // The output of results: a baked image with or without its mesh, in the format of the file name.
 // Formats, samplers and the attributes kept of the input: docs/reference/export.md.
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -8,8 +10,12 @@
 
 #include "app/base/atomic_file.h"
 #include "app/image/convert_image.h"
+#include "app/image/exr_io.h"
+#include "app/image/picture_coding.h"
 #include "app/recipe/material.h"
+#include "app/recipe/recipe.h"
 #include "atlas/mesh/mesh.h"
+#include "atlas/read/obj_source.h"
 #include "atlas/read/pose.h"
 #include "atlas/solid/atlas.h"
 
@@ -43,6 +49,18 @@ struct ExportPose {
     double weight = 1.0;  ///< the pose's share, 0..1
 };
 
+/// An OBJ of which a scene's .obj keeps what is not changed.
+struct KeptObj {
+    ObjSource source{};
+    Mat4d frame{1.0};                     ///< the map from its coordinates to the mesh's
+    std::vector<std::uint32_t> points{};  ///< points_of_corners()
+};
+
+/// The OBJ, a file or a sample, that the mesh was read from and moved by `frame`; null where the
+/// path is no OBJ's. Throws Error as read_mesh does, and runtime where the file has changed since.
+std::shared_ptr<const KeptObj> kept_obj(const std::string& path, const Mesh& mesh,
+                                        const Mat4d& frame);
+
 struct ExportOptions {
     /// The crease angle of computed normals (app/surface/normals.h).
     double crease_degrees = 40.0;
@@ -53,21 +71,48 @@ struct ExportOptions {
     /// The material's numbers, which are factors of what its pictures show.
     Material material{};
     std::vector<ExportPicture> pictures{};
+    PictureCoding coding{};               ///< of pictures in and beside the output (coding_asked)
+    ExrDepth exr_depth = ExrDepth::half;  ///< of an .exr
     /// The pose becomes a morph target in .glb and .gltf; .obj is written as posed. Images are
     /// those of the mesh at rest.
     std::optional<ExportPose> pose{};
+    KeyTrack pose_keys{};  ///< the pose's weight over time; without keys it stays
+    /// The OBJ that the mesh was read from, of which an .obj keeps all that is not changed; null:
+    /// an .obj has the mesh's triangles alone.
+    std::shared_ptr<const KeptObj> obj{};
+    /// Per point of the mesh a colour in linear light, which the scene has in place of textures and
+    /// texture coordinates; the atlas and the image are empty then. Or empty.
+    std::vector<Vec4f> vertex_colors{};
+    /// Is told what the format cannot hold or had to be changed; empty: nobody is.
+    std::function<void(const std::string&)> tell{};
 };
 
 /// All files that scene_files writes, `out_path` first: "a.obj" gives a.obj, a.mtl and a.png, and
-/// with MIP levels a.1.png, a.2.png, ...; .glb and .exr contain their levels. Normals add
+/// with MIP levels a.1.png, a.2.png, ...; .glb, .exr and .ktx2 contain their levels. Normals add
 /// a_normal.png and a picture "orm" a_orm.png, with levels of its own, except for .glb;
-/// `normal_levels` says whether the normals have levels, too. Throws
-/// Error(usage) unless the extension is one of .glb, .gltf, .obj, .png, .exr (any case), listing
-/// them.
+/// `normal_levels` says whether the normals have levels, too. `format` is that of pictures where
+/// the output is none itself. Throws Error(usage) unless the extension is one of .glb, .gltf, .obj,
+/// .ply, .stl, .png, .jpg, .jpeg, .webp, .ktx2, .exr (any case), listing them.
 std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels = 0,
                                       bool normals = false,
                                       const std::vector<std::string>& pictures = {},
-                                      bool normal_levels = false);
+                                      bool normal_levels = false,
+                                      TextureFormat format = TextureFormat::png);
+
+/// The coding of an output's pictures, asked for by the text of --picture-format; empty: by the
+/// output's extension, else PNG. Throws Error(usage) for a wrong text, for another format than that
+/// of the output's extension, and for KTX2 in glTF.
+PictureCoding coding_asked(const std::string& text, const std::string& out_path);
+
+/// The extension that replaces a texture's own for the picture of its MIP level `level` >= 1:
+/// ".1.png".
+std::string level_extension(std::size_t level, TextureFormat format = TextureFormat::png);
+
+/// The path of the normal map beside an output file of any kind: "a_normal.png" for "a.obj".
+std::string normal_map_path(const std::string& out_path, TextureFormat format = TextureFormat::png);
+
+/// All files that scene_files writes of a scene with vertex colours.
+std::vector<std::string> paths_without_texture(const std::string& out_path);
 
 /// Whether the format is .glb or .gltf, whose materials take normal maps in tangent space only.
 /// Throws Error(usage) for an unknown extension.
@@ -76,6 +121,9 @@ bool is_gltf(const std::string& out_path);
 /// Whether the file contains the mesh with its texture, rather than the texture alone. Throws
 /// Error(usage) for an unknown extension.
 bool holds_mesh(const std::string& out_path);
+
+/// Whether the file contains the mesh with colours, as .stl does not.
+bool holds_colors(const std::string& out_path);
 
 /// The kind of images in the output: float for .exr, else 16 bits where `depth` is 16 and 8 bits
 /// otherwise.

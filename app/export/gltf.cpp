@@ -57,9 +57,15 @@ std::vector<PartVertices> vertices_of(const SceneContent& content) {
         uvs = corner_uvs(atlas);
         tangents = corner_tangents(mesh.positions, mesh.triangles, uvs, normals);
     }
-    if (!options.pose) return export_vertices(mesh, atlas, normals, tangents);
-    const PosedCorners posed = posed_corners(mesh, options.pose->corners, normals, uvs);
-    return export_vertices(mesh, atlas, normals, tangents, &posed);
+    std::optional<PosedCorners> posed;
+    if (options.pose) posed = posed_corners(mesh, options.pose->corners, normals, uvs);
+    std::vector<PartVertices> parts =
+        export_vertices(mesh, atlas, normals, tangents, posed ? &*posed : nullptr);
+    if (options.vertex_colors.empty()) return parts;
+    for (PartVertices& part : parts)
+        for (const std::uint32_t point : part.points)
+            part.colors.push_back(options.vertex_colors[point]);
+    return parts;
 }
 
 }  // namespace
@@ -76,7 +82,7 @@ AtomicFile write_glb(const SceneContent& content) {
     for (const SceneImage& image : images) {
         scene.json["images"].push_back({{"name", image.name},
                                         {"bufferView", scene.json["bufferViews"].size()},
-                                        {"mimeType", "image/png"}});
+                                        {"mimeType", media_type(content.options.coding.format)}});
         scene.json["bufferViews"].push_back(
             {{"buffer", 0}, {"byteOffset", most_glb_bytes}, {"byteLength", most_glb_bytes}});
     }
@@ -96,19 +102,21 @@ AtomicFile write_glb(const SceneContent& content) {
 std::vector<AtomicFile> write_gltf(const SceneContent& content) {
     const std::vector<PartVertices> vertices = vertices_of(content);
     GltfScene scene = build_gltf_scene(content, vertices);
-    const auto beside = [&](const std::string& extension) {
-        return std::filesystem::path(content.path).replace_extension(extension).string();
+    const auto beside = [&](std::string_view extension) {
+        return path_beside(content.path, extension);
     };
-    for (const std::vector<SceneImage>& texture : scene_textures(content, beside(".png")))
+    const TextureFormat format = content.options.coding.format;
+    const std::string color = beside(extension_of(format));
+    for (const std::vector<SceneImage>& texture : scene_textures(content, color))
         for (const SceneImage& image : texture)
             scene.json["images"].push_back({{"name", image.name},
                                             {"uri", relative_uri(image.path)},
-                                            {"mimeType", "image/png"}});
+                                            {"mimeType", media_type(format)}});
     const std::string buffer = beside(".bin");
     scene.json["buffers"] =
         Json::array({{{"uri", relative_uri(buffer)}, {"byteLength", scene.binary_size}}});
     std::vector<AtomicFile> files;
-    add_images(files, content, beside(".png"));
+    add_images(files, content, color);
     write_meshes(files.emplace_back(buffer), scene);
     files.emplace_back(content.path).write(gltf_text(scene.json, 2) + "\n");
     return files;

@@ -2,6 +2,8 @@
 // is left out.
 #include "app/export/gltf_material.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "procedural/color/srgb.h"
@@ -36,6 +38,10 @@ Json extensions(const Material& m) {
     return json;
 }
 
+bool are_opaque(const std::vector<Vec4f>& colors) {
+    return std::ranges::all_of(colors, [](const Vec4f& color) { return color.a >= 1.0f; });
+}
+
 }  // namespace
 
 Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
@@ -51,9 +57,11 @@ Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
                 {"metallicFactor", m.metallic},
                 {"roughnessFactor", m.roughness}}},
               {"doubleSided", true}};
+    if (!content.options.vertex_colors.empty())
+        json["pbrMetallicRoughness"].erase("baseColorTexture");
     if (content.options.normals) json["normalTexture"] = texture_info(1);
     if (m.emissive != Rgb8{}) json["emissiveFactor"] = light(m.emissive);
-    if (has_alpha(content.image)) {
+    if (has_alpha(content.image) || !are_opaque(content.options.vertex_colors)) {
         const bool mask = m.alpha == AlphaMode::mask;
         json["alphaMode"] = mask ? "MASK" : "BLEND";
         if (mask) json["alphaCutoff"] = m.alpha_cutoff;
@@ -69,10 +77,12 @@ Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
 }
 
 Json gltf_textures(const SceneContent& content, const GltfPlaces& places) {
+    const bool webp = content.options.coding.format == TextureFormat::webp;
     Json result = Json::array();
     std::size_t image = places.images;
     for (const std::vector<SceneImage>& texture : scene_textures(content, "")) {
-        Json json{{"sampler", places.sampler}, {"source", image}};
+        Json json{{"sampler", places.sampler}};
+        (webp ? json["extensions"][webp_extension] : json)["source"] = image;
         for (std::size_t l = 1; l < texture.size(); ++l)
             json["extras"]["burl_levels"].push_back(image + l);
         image += texture.size();
@@ -86,8 +96,12 @@ void add_material(Json& document, const SceneContent& content) {
     if (one.contains("extensions"))
         for (const auto& item : one["extensions"].items())
             document["extensionsUsed"].push_back(item.key());
+    if (content.options.coding.format == TextureFormat::webp) {
+        document["extensionsUsed"].push_back(webp_extension);
+        document["extensionsRequired"].push_back(webp_extension);
+    }
     document["materials"] = Json::array({std::move(one)});
-    document["textures"] = gltf_textures(content, {});
+    if (content.options.vertex_colors.empty()) document["textures"] = gltf_textures(content, {});
 }
 
 }  // namespace burl

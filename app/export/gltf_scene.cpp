@@ -44,12 +44,13 @@ std::size_t append(Json& array, Json value) {
 }
 
 /// Appends an accessor with a bufferView of its own at the end of the buffer; returns its index.
-std::size_t add_accessor(GltfScene& scene, std::span<const std::uint8_t> bytes, Gl target,
-                         Gl component, std::size_t count, const char* type) {
-    const std::size_t view = append(scene.json["bufferViews"], {{"buffer", 0},
-                                                                {"byteOffset", scene.binary_size},
-                                                                {"byteLength", bytes.size()},
-                                                                {"target", int(target)}});
+std::size_t add_accessor(GltfScene& scene, std::span<const std::uint8_t> bytes,
+                         std::optional<Gl> target, Gl component, std::size_t count,
+                         const char* type) {
+    const std::size_t view =
+        append(scene.json["bufferViews"],
+               {{"buffer", 0}, {"byteOffset", scene.binary_size}, {"byteLength", bytes.size()}});
+    if (target) scene.json["bufferViews"][view]["target"] = int(*target);
     scene.binary.push_back(bytes);
     scene.binary_size += bytes.size() + padding_after(bytes.size()).size();
     return append(scene.json["accessors"], {{"bufferView", view},
@@ -92,14 +93,16 @@ std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indi
 
 /// The accessors of one part's arrays.
 struct PrimitiveIds {
-    std::size_t position, normal, uv, indices;
-    std::optional<std::size_t> block, tangent;
+    std::size_t position, normal, indices;
+    std::optional<std::size_t> uv, color, block, tangent;
     Json target{};  ///< the morph target's accessors; null: none
 };
 
 std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveIds& ids,
                      const std::optional<ExportPose>& pose) {
-    Json attributes{{"POSITION", ids.position}, {"NORMAL", ids.normal}, {"TEXCOORD_0", ids.uv}};
+    Json attributes{{"POSITION", ids.position}, {"NORMAL", ids.normal}};
+    if (ids.uv) attributes["TEXCOORD_0"] = *ids.uv;
+    if (ids.color) attributes["COLOR_0"] = *ids.color;
     if (ids.tangent) attributes["TANGENT"] = *ids.tangent;
     if (ids.block) attributes["_BURL_BLOCK"] = *ids.block;
     Json primitive{{"attributes", attributes}, {"indices", ids.indices}, {"material", 0}};
@@ -152,16 +155,52 @@ Json add_target(GltfScene& scene, const VertexTarget& target) {
     return ids;
 }
 
+/// Adds an animation of the pose's weight, with a channel per node. A smooth track is a cubic one
+/// with tangents of 0.
+void add_animation(GltfScene& scene, const KeyTrack& track) {
+    const bool cubic = track.ease == KeyEase::smooth;
+    std::vector<float>&times = scene.key_times, &values = scene.key_values;
+    for (const KeyPoint& key : track.keys) {
+        times.push_back(float(key.seconds));
+        if (cubic) values.push_back(0.0f);
+        values.push_back(float(key.value));
+        if (cubic) values.push_back(0.0f);
+    }
+    const auto add = [&](const std::vector<float>& numbers) {
+        return add_accessor(scene, as_bytes(numbers), std::nullopt, gl_float, numbers.size(),
+                            "SCALAR");
+    };
+    const std::size_t input = add(times), output = add(values);
+    scene.json["accessors"][input]["min"] = {times.front()};
+    scene.json["accessors"][input]["max"] = {times.back()};
+    Json animation{
+        {"name", "pose"},
+        {"channels", Json::array()},
+        {"samplers", Json::array({{{"input", input},
+                                   {"output", output},
+                                   {"interpolation", cubic ? "CUBICSPLINE" : "LINEAR"}}})}};
+    for (std::size_t node = 0; node < scene.json["nodes"].size(); ++node)
+        animation["channels"].push_back(
+            {{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}});
+    scene.json["animations"] = Json::array({std::move(animation)});
+}
+
 PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
-    PrimitiveIds ids{
-        add_positions(scene, v.positions),
-        add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float, v.normals.size(),
-                     "VEC3"),
-        add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2"),
-        add_indices(scene, v.indices, v.positions.size()),
-        std::nullopt,
-        std::nullopt,
-        {}};
+    PrimitiveIds ids{add_positions(scene, v.positions),
+                     add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float,
+                                  v.normals.size(), "VEC3"),
+                     add_indices(scene, v.indices, v.positions.size()),
+                     std::nullopt,
+                     std::nullopt,
+                     std::nullopt,
+                     std::nullopt,
+                     {}};
+    if (!v.uvs.empty())
+        ids.uv =
+            add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2");
+    if (!v.colors.empty())
+        ids.color = add_accessor(scene, as_bytes(v.colors), gl_array_buffer, gl_float,
+                                 v.colors.size(), "VEC4");
     if (!v.tangents.empty())
         ids.tangent = add_accessor(scene, as_bytes(v.tangents), gl_array_buffer, gl_float,
                                    v.tangents.size(), "VEC4");
@@ -228,9 +267,11 @@ nlohmann::ordered_json gltf_sampler(const AtlasOptions& atlas) {
 nlohmann::ordered_json burl_extras(const SceneContent& content) {
     const AtlasOptions& atlas = content.atlas.options;
     const std::string& recipe = content.options.recipe_json;
-    Json burl{{"atlas", to_string(atlas.kind)},
-              {"overscan", to_string(atlas.overscan)},
-              {"size", atlas.size}};
+    Json burl = Json::object();
+    if (content.options.vertex_colors.empty())
+        burl = {{"atlas", to_string(atlas.kind)},
+                {"overscan", to_string(atlas.overscan)},
+                {"size", atlas.size}};
     if (atlas.kind == AtlasKind::quad) burl["weight"] = to_string(atlas.weight);
     if (!recipe.empty()) burl["recipe"] = recipe;
     return burl;
@@ -253,8 +294,11 @@ GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVert
     }
     UniqueNames names;
     for (const PartVertices& part : vertices) add_part(scene, content, part, names);
+    if (content.options.pose && !content.options.pose_keys.keys.empty())
+        add_animation(scene, content.options.pose_keys);
     add_material(scene.json, content);
-    scene.json["samplers"] = Json::array({gltf_sampler(content.atlas.options)});
+    if (content.options.vertex_colors.empty())
+        scene.json["samplers"] = Json::array({gltf_sampler(content.atlas.options)});
     return scene;
 }
 

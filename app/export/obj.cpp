@@ -2,10 +2,9 @@
 // coordinates, rather than centred floats. It is built in one buffer per kind of line and written
 // in large pieces.
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <filesystem>
-#include <iterator>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -17,87 +16,17 @@
 
 #include "app/base/unique_rows.h"
 #include "app/export/formats.h"
+#include "app/export/obj_text.h"
+#include "app/export/placed_triangles.h"
 #include "app/image/image_io.h"
 #include "app/surface/node_transform.h"
-#include "app/surface/normals.h"
-#include "app/surface/posed_corners.h"
 #include "procedural/color/srgb.h"
 
 namespace burl {
 namespace {
 
-using Text = fmt::memory_buffer;
-
-template <class... Values>
-void print(Text& text, Values&&... values) {
-    fmt::format_to(std::back_inserter(text), std::forward<Values>(values)...);
-}
-
-/// The two words of a double, with -0 as 0.
-std::array<std::uint32_t, 2> words(double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
-    return {std::uint32_t(bits), std::uint32_t(bits >> 32)};
-}
-/// The word of a float, with -0 as 0.
-std::uint32_t word(float value) {
-    return std::bit_cast<std::uint32_t>(value + 0.0f);
-}
-
-/// The name with control characters replaced, since it ends at the line's end and must not start
-/// another line; "mesh" for an empty name.
-std::string one_line(std::string name) {
-    for (char& c : name) {
-        if (static_cast<unsigned char>(c) < ' ') c = '_';
-    }
-    return name.empty() ? "mesh" : name;
-}
-
-/// The name with spaces and "#" replaced, which end names or lines for readers.
-std::string without_spaces(std::string name) {
-    for (char& c : name)
-        if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == '\x7f') c = '_';
-    return name;
-}
-
 std::string file_name(const std::string& path) {
     return std::filesystem::path(path).filename().string();
-}
-
-/// For each corner the numbers, from 1, of its vt and vn lines; the normals of the vn lines; and
-/// the text of the vt lines.
-struct CornerLines {
-    std::vector<std::uint32_t> uv, normal;
-    std::vector<Vec3f> normals;
-    Text text;
-};
-
-CornerLines corner_lines(const Atlas& atlas, std::span<const Vec3f> normals) {
-    CornerLines out;
-    UniqueRows<4> uv_rows(normals.size() / 2);
-    UniqueRows<3> normal_rows(normals.size() / 2);
-    const Vec2d size = atlas.extent();
-    for (std::size_t c = 0; c < normals.size(); ++c) {
-        const Vec2d& texel = atlas.corners[c / 3][c % 3];
-        const Vec2d uv(texel.x / size.x, (size.y - texel.y) / size.y);
-        const auto u = words(uv.x), v = words(uv.y);
-        const std::size_t known = uv_rows.rows().size();
-        out.uv.push_back(1 + uv_rows.insert({u[0], u[1], v[0], v[1]}));
-        if (uv_rows.rows().size() > known) {
-            print(out.text, FMT_COMPILE("vt {} {}\n"), uv.x + 0.0, uv.y + 0.0);
-        }
-        const Vec3f& n = normals[c];
-        out.normal.push_back(1 + normal_rows.insert({word(n.x), word(n.y), word(n.z)}));
-        if (normal_rows.rows().size() > out.normals.size()) out.normals.push_back(n + 0.0f);
-    }
-    return out;
-}
-
-void print_point(Text& text, const Vec3d& p) {
-    print(text, FMT_COMPILE("v {} {} {}\n"), p.x + 0.0, p.y + 0.0, p.z + 0.0);
-}
-
-void print_normal(Text& text, const Vec3f& n) {
-    print(text, FMT_COMPILE("vn {} {} {}\n"), n.x, n.y, n.z);
 }
 
 /// The indices of a part's face lines per corner, from 1, before a copy's offsets.
@@ -129,13 +58,14 @@ struct Offsets {
     std::size_t point = 0, normal = 0;
 };
 
-void print_faces(Text& text, const FaceNumbers& numbers, const Offsets& offsets, bool turn_over) {
+void print_faces(ObjText& text, const FaceNumbers& numbers, const Offsets& offsets,
+                 bool turn_over) {
     for (std::size_t first = 0; first < numbers.point.size(); first += 3) {
         text.push_back('f');
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t c = first + (turn_over ? (3 - k) % 3 : k);
-            print(text, FMT_COMPILE(" {}/{}/{}"), numbers.point[c] + offsets.point, numbers.uv[c],
-                  numbers.normal[c] + offsets.normal);
+            print_corner(text, numbers.point[c] + offsets.point, numbers.uv[c],
+                         numbers.normal[c] + offsets.normal);
         }
         text.push_back('\n');
     }
@@ -143,16 +73,17 @@ void print_faces(Text& text, const FaceNumbers& numbers, const Offsets& offsets,
 
 /// Prints all placements of a part but the first, with points and normals of their own and shared
 /// vt lines.
-void print_copies(Text& text, const Mesh& mesh, const Part& part, const CornerLines& lines,
-                  Offsets& offsets) {
+void print_copies(ObjText& text, const Mesh& mesh, const Part& part, const CornerLines& lines,
+                  std::span<const Vec4f> colors, Offsets& offsets) {
     FaceNumbers numbers = face_numbers(mesh, part, lines);
     const std::vector<std::size_t> points = compact(numbers.point);
     const std::vector<std::size_t> normals = compact(numbers.normal);
     for (std::size_t i = 1; i < part.instances.size(); ++i) {
         const NormalTransform normal_transform(part.instances[i]);
-        print(text, FMT_COMPILE("o {} {}\n"), one_line(part.name), i + 1);
+        put(text, FMT_COMPILE("o {} {}\n"), one_line(part.name), i + 1);
         for (const std::size_t p : points) {
-            print_point(text, Vec3d(part.instances[i] * Vec4d(mesh.positions[p - 1], 1.0)));
+            print_point(text, Vec3d(part.instances[i] * Vec4d(mesh.positions[p - 1], 1.0)),
+                        colors.empty() ? nullptr : &colors[p - 1]);
         }
         for (const std::size_t n : normals) {
             print_normal(text, normal_transform(lines.normals[n - 1]));
@@ -163,23 +94,45 @@ void print_copies(Text& text, const Mesh& mesh, const Part& part, const CornerLi
     }
 }
 
-Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> normals,
-              const std::string& mtl_name, const std::string& material) {
-    const CornerLines lines = corner_lines(atlas, normals);
-    Text text;
-    print(text, FMT_COMPILE("# Burl " BURL_VERSION "\nmtllib {}\nusemtl {}\n"), mtl_name, material);
-    for (const Vec3d& p : mesh.positions) print_point(text, p);
+ObjText obj_text(const SceneContent& content, const Mesh& mesh, std::span<const Vec3f> normals,
+                 const std::string& mtl_name, const std::string& material) {
+    const CornerLines lines = corner_lines(content.atlas, normals);
+    const std::vector<Vec4f> colors = shown_colors(content, mesh);
+    ObjText text;
+    put(text, FMT_COMPILE("# Burl " BURL_VERSION "\nmtllib {}\nusemtl {}\n"), mtl_name, material);
+    for (std::size_t p = 0; p < mesh.positions.size(); ++p)
+        print_point(text, mesh.positions[p], colors.empty() ? nullptr : &colors[p]);
     text.append(lines.text);
     for (const Vec3f& n : lines.normals) print_normal(text, n);
     for (const Part& part : mesh.parts) {
-        print(text, FMT_COMPILE("o {}\n"), one_line(part.name.empty() ? mesh.name : part.name));
+        put(text, FMT_COMPILE("o {}\n"), one_line(part.name.empty() ? mesh.name : part.name));
         print_faces(text, face_numbers(mesh, part, lines), {}, false);
     }
     Offsets offsets{mesh.positions.size(), lines.normals.size()};
     for (const Part& part : mesh.parts) {
-        if (part.instances.size() > 1) print_copies(text, mesh, part, lines, offsets);
+        if (part.instances.size() > 1) print_copies(text, mesh, part, lines, colors, offsets);
     }
     return text;
+}
+
+/// The lines that viewers without MTL's extension read, in the measures of Blender's own exporter:
+/// the specular level, half of which is its 1, and an exponent of 1000 (1 - roughness)^2. Blender's
+/// importers take `Ks 0` for no reflection, and a missing `Ns` for roughness 1. The exponent is at
+/// least 10, since Phong's highlight of exponent 0 covers everything.
+std::string mtl_highlight(const Material& material) {
+    const double level = 0.5 * material.specular, smooth = 1.0 - material.roughness;
+    return fmt::format("Ks {0:.4g} {0:.4g} {0:.4g}\nNs {1:.4g}\nillum 2\n", level,
+                       std::max(10.0, 1000.0 * smooth * smooth));
+}
+
+/// The lines of a normal map: `norm`, and `map_Bump`, which Blender takes for a normal map of the
+/// strength that -bm says. Godot reads map_bump, in small letters only, and no options.
+std::string mtl_normals(const SceneContent& content) {
+    const auto& normals = content.options.normals;
+    if (!normals || !normals->tangent_space) return "";
+    const std::string file =
+        file_name(normal_map_path(content.path, content.options.coding.format));
+    return fmt::format("norm {0}\nmap_Bump -bm 1 {0}\n", file);
 }
 
 /// The lines of the material besides its base colour and normals, by the extension of MTL for
@@ -188,13 +141,14 @@ Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> norma
 std::string mtl_material(const SceneContent& content) {
     const Material& m = content.options.material;
     const auto& pictures = content.options.pictures;
+    const TextureFormat format = content.options.coding.format;
     std::string text;
     const auto packed = std::ranges::find_if(pictures, [](const ExportPicture& picture) {
         return picture.name == "orm" || picture.name == "mask";
     });
     if (packed != pictures.end())
         text += fmt::format("# roughness and metallic: {}\n",
-                            file_name(picture_path(content.path, packed->name)));
+                            file_name(picture_path(content.path, packed->name, format)));
     else if (m != Material{} || !pictures.empty())
         text += fmt::format("Pr {}\nPm {}\n", m.roughness, m.metallic);
     if (m.clearcoat != 0.0)
@@ -212,29 +166,39 @@ std::string mtl_material(const SceneContent& content) {
         for (const auto& [name, line] : maps)
             if (picture.name == name)
                 text += fmt::format("{} {}\n", line,
-                                    file_name(picture_path(content.path, picture.name)));
+                                    file_name(picture_path(content.path, picture.name, format)));
     if (has_alpha(content.image))
-        text += fmt::format(
-            "map_d -imfchan m {}\n",
-            file_name(std::filesystem::path(content.path).replace_extension(".png").string()));
+        text += fmt::format("map_d -imfchan m {}\n",
+                            file_name(path_beside(content.path, extension_of(format))));
     return text;
+}
+
+/// The material's name in one word, unlike those of faces that keep theirs.
+std::string obj_material_name(const SceneContent& content) {
+    const std::string wanted = without_spaces(material_name(content));
+    if (!content.options.obj) return wanted;
+    const std::vector<std::string>& others = content.options.obj->source.materials;
+    std::string name = wanted;
+    for (int k = 2; std::ranges::find(others, name) != others.end(); ++k)
+        name = fmt::format("{}_{}", wanted, k);
+    return name;
 }
 
 /// Writes the files of a mesh with these normals, one per triangle corner.
 std::vector<AtomicFile> write_files(const SceneContent& content, const Mesh& mesh,
                                     std::span<const Vec3f> normals) {
-    const auto beside = [&](const char* extension) {
-        return std::filesystem::path(content.path).replace_extension(extension);
-    };
-    const std::string texture = beside(".png").string(), library = beside(".mtl").string();
-    const std::string name = without_spaces(material_name(content));
-    const Text text = obj_text(mesh, content.atlas, normals, file_name(library), name);
-    std::string material = fmt::format(
-        "newmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n", name, file_name(texture));
-    const auto& bumps = content.options.normals;
-    if (bumps && bumps->tangent_space)
-        material += fmt::format("norm {}\n", file_name(normal_map_path(content.path)));
-    material += mtl_material(content);
+    const std::string texture =
+        path_beside(content.path, extension_of(content.options.coding.format));
+    const std::string library = path_beside(content.path, ".mtl");
+    const std::string name = obj_material_name(content);
+    const ObjText text = content.options.obj
+                             ? kept_obj_text(content, mesh, normals, file_name(library), name)
+                             : obj_text(content, mesh, normals, file_name(library), name);
+    std::string material = fmt::format("newmtl {}\nKa 0 0 0\nKd 1 1 1\n{}", name,
+                                       mtl_highlight(content.options.material));
+    if (content.options.vertex_colors.empty())
+        material += fmt::format("map_Kd {}\n", file_name(texture));
+    material += mtl_normals(content) + mtl_material(content);
     std::vector<AtomicFile> files;
     add_images(files, content, texture);
     files.emplace_back(library).write(material);
@@ -258,12 +222,8 @@ BakedImage cut(BakedImage image, double cutoff) {
 }
 
 std::vector<AtomicFile> write_content(const SceneContent& content) {
-    const Mesh& mesh = content.mesh;
-    const std::vector<Vec3f> rest = corner_normals(mesh, content.options.crease_degrees);
-    if (!content.options.pose) return write_files(content, mesh, rest);
-    const auto& [pose, weight] = *content.options.pose;
-    return write_files(content, posed_mesh(mesh, pose, weight),
-                       blended_normals(rest, posed_corners(mesh, pose, rest).normals, weight));
+    const auto [mesh, normals] = shown_mesh(content);
+    return write_files(content, mesh, normals);
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ struct CornerFrames {
 using Row = std::array<std::uint32_t, 8>;
 
 std::array<float, 2> uv_of(const Atlas& atlas, std::size_t corner) {
+    if (atlas.corners.empty()) return {};
     const Vec2d uv = atlas.corners[corner / 3][corner % 3] / atlas.extent();
     return {float(uv.x), float(uv.y)};
 }
@@ -194,7 +195,8 @@ struct ExportCorners {
 void resize(PartVertices& out, std::size_t count, const ExportCorners& of) {
     out.positions.resize(count);
     out.normals.resize(count);
-    out.uvs.resize(count);
+    if (!of.atlas.corners.empty()) out.uvs.resize(count);
+    out.points.resize(count);
     if (!of.frames.tangents.empty()) out.tangents.resize(count);
     if (!of.blocks.empty()) out.blocks.resize(count);
     if (!of.frames.posed) return;
@@ -220,7 +222,8 @@ void fill_vertex(PartVertices& out, std::size_t i, std::size_t corner, const Exp
     const auto [u, v] = uv_of(of.atlas, corner);
     out.positions[i] = Vec3f((point - out.centre) / out.scale) + 0.0f;
     out.normals[i] = of.frames.normals[corner] + 0.0f;
-    out.uvs[i] = {u + 0.0f, v + 0.0f};
+    if (!out.uvs.empty()) out.uvs[i] = {u + 0.0f, v + 0.0f};
+    out.points[i] = of.mesh.triangles[t][corner % 3];
     // Corners that share a vertex share their tangent.
     if (!out.tangents.empty()) out.tangents[i] = of.frames.tangents[corner];
     // Blocks do not touch at corners, so a vertex has one.

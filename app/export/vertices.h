@@ -27,9 +27,12 @@ struct PartVertices {
     Vec3d centre{0.0};     ///< the centre of the part's box, in mesh units
     double scale = 1.0;    ///< a power of two; 1 unless the part's size is beyond 2^-60 .. 2^60
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals;             ///< unit length
-    std::vector<Vec4f> tangents;            ///< glTF's TANGENT (app/surface/tangents.h), or empty
-    std::vector<std::array<float, 2>> uvs;  ///< corners divided by N; v = 0 at image row 0
+    std::vector<Vec3f> normals;   ///< unit length
+    std::vector<Vec4f> tangents;  ///< glTF's TANGENT (app/surface/tangents.h), or empty
+    /// Corners divided by N; v = 0 at image row 0. Empty without an atlas.
+    std::vector<std::array<float, 2>> uvs;
+    std::vector<Vec4f> colors{};  ///< glTF's COLOR_0, in linear light; filled by the exporter
+    std::vector<std::uint32_t> points{};  ///< the mesh's point of each vertex
     /// The rectangle of each vertex's block, in quad atlases only, as texture coordinates low u,
     /// low v, high u, high v. Lookups of MIP levels that are clamped to it do not show other
     /// blocks.

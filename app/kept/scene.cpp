@@ -66,6 +66,30 @@ void add_counts(const Json& document, std::vector<std::string>& losses) {
         losses.push_back(fmt::format("extras of {} objects", count));
 }
 
+/// Whether the node is a skinned mesh alone, which its joints move and no node above it.
+bool is_skinned_leaf(const Json& node) {
+    return node.contains("skin") && !node.contains("children");
+}
+
+/// Puts the roots of all scenes under a new node each, with the transform.
+void add_root(Json& document, const Mat4d& frame) {
+    if (!document.contains("scenes")) return;
+    for (Json& scene : document["scenes"]) {
+        if (!scene.contains("nodes") || scene["nodes"].empty()) continue;
+        Json node{{"name", "axes and units"}, {"matrix", Json::array()}};
+        for (int c = 0; c < 4; ++c)
+            for (int r = 0; r < 4; ++r) node["matrix"].push_back(frame[c][r]);
+        Json roots = Json::array();
+        for (const Json& root : scene["nodes"])
+            (is_skinned_leaf(document["nodes"][root.get<std::size_t>()]) ? roots : node["children"])
+                .push_back(root);
+        if (!node.contains("children")) continue;
+        document["nodes"].push_back(std::move(node));
+        roots.push_back(document["nodes"].size() - 1);
+        scene["nodes"] = std::move(roots);
+    }
+}
+
 }  // namespace
 
 bool keeps_document(const std::string& mesh_path, const std::string& out_path) {
@@ -78,8 +102,10 @@ std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path) {
 }
 
 void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& options,
-             const std::string& pictures) {
+             const std::string& pictures, const Mat4d& frame) {
     scene.origins = read_gltf_origins(read_file(mesh_path), options);
+    scene.frame = frame;
+    for (GltfPartOrigin& part : scene.origins.parts) part.to_scene = frame * part.to_scene;
     scene.pictures = lower_extension(pictures) == ".glb" ? "" : pictures;
 }
 
@@ -90,6 +116,7 @@ std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content
         carve(document, {scene.origins, corners, content, scene.uv_set, scene.pictures}),
         std::back_inserter(scene.pending));
     if (!scene.is_last) return {};
+    if (scene.frame != Mat4d(1.0)) add_root(document.json, scene.frame);
     std::vector<AtomicFile> files = write_kept(document, content.path);
     if (scene.is_strict && !document.losses.empty())
         throw Error(ExitCode::unsupported, fmt::format("{}: --strict: {}", content.path,

@@ -16,6 +16,7 @@ struct KeptScene {
 
     KeptDocument document;
     GltfOrigins origins{};                  ///< of the mesh that is baked next
+    Mat4d frame{1.0};                       ///< transform of the whole scene
     std::optional<std::uint32_t> uv_set{};  ///< as in CarvedMesh
     std::string pictures{};                 ///< as in CarvedMesh
     bool is_last = true;                    ///< whether no other bake follows
@@ -29,10 +30,11 @@ bool keeps_document(const std::string& mesh_path, const std::string& out_path);
 /// The document of the mesh file. Throws Error as load_gltf() does.
 std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path);
 
-/// Makes the scene ready for a bake of the mesh that is read with `options`, whose pictures beside
-/// a .gltf are named after `pictures`. Throws Error as read_mesh() does.
+/// Makes the scene ready for a bake of the mesh that is read with `options` and then moved by
+/// `frame`, which a new root node of the document says; pictures beside a .gltf are named after
+/// `pictures`. Throws Error as read_mesh() does.
 void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& options,
-             const std::string& pictures);
+             const std::string& pictures, const Mat4d& frame = Mat4d(1.0));
 
 /// Carves the scene's document. Returns all its files where this is the last bake, else none.
 /// Throws Error as carve() and write_kept() do, and unsupported for a loss where the scene is

@@ -112,8 +112,9 @@ void check_planes(const DirectOptions& options, const GivenOptions& given) {
     const bool bare = std::ranges::any_of(
         options.planes, [](const std::string& text) { return parse_plane(text).recipe.empty(); });
     if (!options.scene.empty() || options.planes.empty()) return;
-    given.refuse({"--crease", "--weld", "--unshare-instances", "--up"},
-                 "is about a mesh, and there are planes alone; leave it out");
+    given.refuse(
+        {"--crease", "--weld", "--unshare-instances", "--up", "--rotate", "--scale", "--units"},
+        "is about a mesh, and there are planes alone; leave it out");
     if (!bare)
         given.refuse({"--recipe"},
                      "is shown nowhere: every plane names a recipe of its own; leave it out");
@@ -137,8 +138,11 @@ void RenderCommand::check(const std::vector<std::string>& names) const {
     if (!direct && !lazy) {
         given.refuse({"--recipe", "--recipes", "--set", "--time", "--precision", "--pose"},
                      "goes with --direct or --lazy: a scene that is drawn has its texture already");
-        given.refuse({"--crease", "--weld", "--unshare-instances"},
+        given.refuse({"--crease", "--weld", "--unshare-instances", "--material"},
                      "goes with --direct or --lazy: a scene is drawn as it is");
+        given.refuse({"--scale", "--units"},
+                     "goes with --direct or --lazy: the camera is as far from a scene as the scene "
+                     "is large, so the picture is the same");
     }
     if (options.unlit || (options.light.light == "headlight" && !options.light.ground))
         given.refuse({"--rays"},

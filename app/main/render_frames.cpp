@@ -16,11 +16,11 @@
 #include "app/image/sheet.h"
 #include "app/measure/report.h"
 #include "app/options/idle_options.h"
+#include "app/options/metres.h"
 #include "app/pipeline/material.h"
 #include "app/recipe/lattice_check.h"
 #include "app/recipe/presets.h"
 #include "app/scene/scene.h"
-#include "app/scene/up_axis.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 
@@ -92,7 +92,7 @@ RenderedFrames scene_frames(const RenderCommand& command, CommandFiles& files) {
     drawn->scene = load_scene(options.scene);
     for (const std::string& note : drawn->scene.notes) warn(note);
     files.read(drawn->scene.files);
-    turn(drawn->scene, upright(options.up));
+    turn(drawn->scene, frame_transform(options.meshes.frame));
     drawn->sphere = bounding_sphere(drawn->scene);
     drawn->context = create_gl_context(command.platform);
     drawn->context->make_current();
@@ -153,7 +153,6 @@ LazyOptions lazy_options(const RenderCommand& command) {
     lazy.crease_degrees = options.crease;
     lazy.skips = command.economy.skips();
     lazy.rule = level_rule_named(command.level_rule.value_or("direct"));
-    lazy.upright = upright(options.up);
     return lazy;
 }
 
@@ -170,6 +169,7 @@ std::vector<Recipe> lazy_recipes(const RenderCommand& command, const DirectOptio
                                  const Mesh& mesh) {
     const std::vector<std::string>& moves = command.animation.keys;
     std::vector<Recipe> frames = frame_recipes(options.recipe, command.animation);
+    set_metres(frames, options.recipe, options.meshes.frame, mesh);
     check_edits(options.recipe, frames.front(), moves);
     check_rule(command, frames.front());
     if (options.pose.empty()) refuse_edits(options.recipe, {&idle_pose, 1}, moves);
@@ -203,7 +203,7 @@ RenderedFrames lazy_frames(const RenderCommand& command, CommandFiles& files) {
             lazy->cells.push_back(std::move(recipes));
         });
     if (!options.pose.empty()) {
-        lazy->pose = load_pose(options.scene, options.pose, options.meshes.read);
+        lazy->pose = options.meshes.pose(options.scene, options.pose);
         lazy->options.pose = &*lazy->pose;
     }
     lazy->context = create_gl_context(command.platform);
@@ -249,6 +249,10 @@ RenderedFrames direct_frames(const RenderCommand& command, CommandFiles& files) 
     const auto direct = std::make_shared<DirectFrames>(
         DirectFrames{DirectPicture(command.options), command.options.picture_options(),
                      command.frame_views(), std::move(cells)});
+    for (std::size_t i = 0; i < direct->cells.size(); ++i)
+        for (PictureRecipes& recipes : direct->cells[i])
+            set_metres({&recipes.main, 1}, command.cell(i).recipe, command.options.meshes.frame,
+                       direct->picture.mesh());
     result.draw = [direct](std::size_t frame, std::size_t cell) {
         return direct->draw(frame, cell);
     };

@@ -132,14 +132,18 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
 /// A key that is equal for bakes that can use one pipeline.
 std::string mesh_key(const Bake& bake) {
     const BakeCommand& command = bake.job.command();
+    const MeshFrame& frame = command.meshes.frame;
+    const Vec3d& turn = frame.rotate;
     const GltfChoice& choice = command.meshes.read.choice;
     std::string only;
     for (const auto& [mesh, primitive] : choice.only)
         only += fmt::format("{}.{},", mesh, primitive);
-    return fmt::format("{} {} {} {} {} {} {} {}", command.meshes.read.weld,
+    return fmt::format("{} {} {} {} {},{},{} {} {} {}\n{}\n{} {} {}", command.meshes.read.weld,
                        command.meshes.read.unshare_instances, command.displace.value_or(0),
-                       fmt::join(choice.meshes, "/"), fmt::join(choice.nodes, "/"),
-                       fmt::join(choice.materials, "/"), only, real_path(command.mesh));
+                       frame.up, turn.x, turn.y, turn.z, frame.scale,
+                       frame.units ? to_string(*frame.units) : "", fmt::join(choice.meshes, "\n"),
+                       fmt::join(choice.nodes, "\n"), fmt::join(choice.materials, "\n"), only,
+                       real_path(command.mesh));
 }
 
 using Group = std::vector<Bake*>;

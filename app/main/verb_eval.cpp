@@ -18,6 +18,7 @@
 #include "app/measure/report.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
+#include "app/options/metres.h"
 #include "app/recipe/channel_texture.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/masks.h"
@@ -31,6 +32,7 @@ struct EvalCommand {
     RecipeOptions recipe;
     NoiseOptions noise;
     std::string points, channel, mesh;
+    MeshOptions meshes;
     bool json = false;
 };
 
@@ -139,7 +141,7 @@ std::optional<Mesh> mesh_for(const EvalCommand& command, const Recipe& recipe) {
     if (first_mask_node(recipe.texture, GraphOutput::color).empty())
         throw Error(ExitCode::usage,
                     "--mesh: the texture reads no mask of a mesh's shape; leave it out");
-    return MeshOptions().load(command.mesh);
+    return command.meshes.load(command.mesh);
 }
 
 void run_eval(const EvalCommand& command, bool recipe_given) {
@@ -162,6 +164,7 @@ void run_eval(const EvalCommand& command, bool recipe_given) {
         check_edits(command.recipe, *recipe);
         recipe = of_channel(std::move(*recipe), command.channel);
         mesh = mesh_for(command, *recipe);
+        if (mesh) set_metres({&*recipe, 1}, command.recipe, command.meshes.frame, *mesh);
     }
     const std::optional<std::string>& asked = command.recipe.precision;
     const Precision precision = recipe  ? recipe->precision
@@ -191,9 +194,13 @@ void add_eval(CLI::App& program) {
     verb->add_option("--channel", command->channel,
                      "Channel of the recipe's material in place of its colour")
         ->check(CLI::IsMember(channel_names()));
-    verb->add_option("--mesh", command->mesh,
-                     "Mesh or sample whose shape masks of the texture are of, each at the mesh's "
-                     "point nearest to the one asked for");
+    auto* mesh = verb->add_option(
+        "--mesh", command->mesh,
+        "Mesh or sample whose shape masks of the texture are of, each at the mesh's "
+        "point nearest to the one asked for");
+    command->meshes.add_frame(*verb);
+    for (const char* option : {"--up", "--rotate", "--scale", "--units"})
+        verb->get_option(option)->needs(mesh);
     command->noise.add(*verb);
     command->recipe.add_precision(*verb, "float32, beside float64");
     verb->add_flag("--json", command->json, "Print JSON");

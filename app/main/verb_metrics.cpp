@@ -18,6 +18,7 @@
 #include "app/measure/metrics_report.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
+#include "app/options/metres.h"
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 #include "atlas/measure/surface_points.h"
@@ -250,9 +251,10 @@ void run_metrics(const MetricsCommand& command) {
         std::erase_if(options.parameters, [](const ParameterOption& option) {
             return option.parameter->path == "atlas.kind";
         });
-    const Recipe recipe = options.load();
+    Recipe recipe = options.load();
     check_recipe(command, options, recipe);
     Mesh mesh = load_measured(command);
+    set_metres({&recipe, 1}, options, command.meshes.frame, mesh);
     const AtlasesAsked asked = atlases_asked(command, recipe, mesh);
     Measuring measuring(command, recipe, std::move(mesh));
     std::vector<MeasuredAtlas> atlases;

@@ -8,6 +8,7 @@
 
 #include "app/recipe/edit/images.h"
 #include "app/recipe/recipe.h"
+#include "app/surface/mesh_frame.h"
 #include "atlas/read/read_mesh.h"
 #include "procedural/batch/economy.h"
 
@@ -71,17 +72,24 @@ struct RecipeOptions {
 /// Error(usage) for anything else.
 Precision parse_precision(const std::string& text);
 
-/// The options --weld and --unshare-instances, and those that choose parts of a glTF.
+/// The options --weld and --unshare-instances, those of the file's axes and units, and those that
+/// choose parts of a file.
 struct MeshOptions {
     ReadOptions read;
+    MeshFrame frame;
 
     void add(CLI::App& verb);
-    /// Adds --only-mesh, --only-node and --only-material, also without "only-".
+    /// Adds --mesh and --node, which choose parts of a glTF as --material does.
     void add_choice(CLI::App& verb);
-    /// Reads the mesh file or sample ("sample:teapot") and prints the reader's notes on stderr.
-    /// Throws Error as read_mesh does, and usage for --unshare-instances or a choice of a mesh that
-    /// is not glTF.
+    /// Adds --up, --rotate, --scale and --units alone.
+    void add_frame(CLI::App& verb);
+    /// Reads the mesh file or sample ("sample:teapot"), turns and scales it by the frame, and
+    /// prints the reader's notes on stderr. Throws Error as read_mesh does, and usage for
+    /// --unshare-instances of a mesh that is not glTF, for a choice of a format that has no such
+    /// names, and for a pattern that fits no name of the file.
     Mesh load(const std::string& path) const;
+    /// The pose of the mesh that load() gives (app/surface/sample_meshes.h), in its frame.
+    MeshPose pose(const std::string& mesh, const std::string& pose) const;
 };
 
 /// Adds --pose (app/surface/sample_meshes.h).

@@ -4,10 +4,9 @@
 #include <iterator>
 #include <sstream>
 
-#include <fnmatch.h>
-
 #include "app/recipe/presets.h"
 #include "atlas/base/error.h"
+#include "atlas/base/glob.h"
 
 namespace burl {
 
@@ -23,7 +22,7 @@ void append_matches(const std::string& pattern, std::vector<std::string>& names)
     std::ranges::copy(material_names(), std::back_inserter(known));
     bool any = false;
     for (const std::string_view name : known) {
-        if (::fnmatch(pattern.c_str(), std::string(name).c_str(), 0) != 0) continue;
+        if (!matches_glob(name, pattern)) continue;
         append_once(std::string(name), names);
         any = true;
     }

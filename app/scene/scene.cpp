@@ -102,6 +102,11 @@ Sphere bounding_sphere(const Scene& scene) {
     });
 }
 
+void turn(Scene& scene, const Mat4d& turn) {
+    for (Surface& surface : scene.surfaces)
+        for (Mat4d& placement : surface.placements) placement = turn * placement;
+}
+
 Mat4d unit_frame(const Surface& surface) {
     const Sphere sphere = sphere_around([&](auto visit) {
         for (const Vec3d& p : surface.positions) visit(p);

@@ -99,6 +99,9 @@ Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material);
 /// so that a view does not change with the target's weight. Its centre is that of the points' box.
 Sphere bounding_sphere(const Scene& scene);
 
+/// Turns all placements of the scene.
+void turn(Scene& scene, const Mat4d& turn);
+
 /// The map from [-1,1], in which float32 is precise wherever a surface lies, to the bounding sphere
 /// of the surface's positions, of radius 1 where they are one point.
 Mat4d unit_frame(const Surface& surface);

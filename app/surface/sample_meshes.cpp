@@ -34,10 +34,6 @@ FileBuffer sample_file(const std::string& argument) {
                                              argument, hint, fmt::join(names, ", ")));
 }
 
-FileBuffer bytes_of(const std::string& path) {
-    return is_sample_mesh(path) ? sample_file(path) : read_file(path);
-}
-
 }  // namespace
 
 bool is_sample_mesh(const std::string& argument) {
@@ -47,6 +43,10 @@ bool is_sample_mesh(const std::string& argument) {
 Mesh sample_mesh(const std::string& argument, const ReadOptions& options) {
     const FileBuffer file = sample_file(argument);
     return build_mesh(parse_mesh(file, options), file.path, options);
+}
+
+FileBuffer mesh_bytes(const std::string& path) {
+    return is_sample_mesh(path) ? sample_file(path) : read_file(path);
 }
 
 std::vector<std::string> sample_mesh_names() {
@@ -64,8 +64,8 @@ bool is_pose_file(const std::string& pose) {
 }
 
 MeshPose load_pose(const std::string& mesh, const std::string& pose, const ReadOptions& options) {
-    return is_pose_file(pose) ? read_pose(bytes_of(mesh), bytes_of(pose), options)
-                              : read_own_pose(bytes_of(mesh), pose, options);
+    return is_pose_file(pose) ? read_pose(mesh_bytes(mesh), mesh_bytes(pose), options)
+                              : read_own_pose(mesh_bytes(mesh), pose, options);
 }
 
 std::vector<std::string> poses_of(const std::string& mesh) {

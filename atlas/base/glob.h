@@ -1,30 +1,12 @@
 #pragma once
-// Patterns with wildcards over names, as users write them to choose meshes and materials.
-#include <cstddef>
+// Patterns of names: --mesh, --node, --material, --assign and --recipes.
 #include <string_view>
 
 namespace burl {
 
-/// Whether the whole name matches the pattern, in which * stands for any number of bytes and ? for
-/// one; case counts. Takes at most name.size() * pattern.size() steps.
-inline bool matches_glob(std::string_view name, std::string_view pattern) {
-    std::size_t n = 0, p = 0, star = std::string_view::npos, retry = 0;
-    while (n < name.size()) {
-        if (p < pattern.size() && pattern[p] == '*') {
-            star = p++;
-            retry = n;
-        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-            ++p;
-            ++n;
-        } else if (star != std::string_view::npos) {
-            p = star + 1;
-            n = ++retry;
-        } else {
-            return false;
-        }
-    }
-    while (p < pattern.size() && pattern[p] == '*') ++p;
-    return p == pattern.size();
-}
+/// Whether the whole name fits the pattern, in which `*` stands for any characters, none included,
+/// and `?` for one character (of UTF-8); all others, letters' case and `[` included, for
+/// themselves. Takes time of at most the product of the lengths.
+bool matches_glob(std::string_view name, std::string_view pattern);
 
 }  // namespace burl

@@ -67,6 +67,17 @@ class TextScanner {
         return {begin, static_cast<std::size_t>(at_ - begin)};
     }
 
+    /// All that is left of this line without blanks at its ends, such as a name with spaces; the
+    /// scanner stays where it is.
+    std::string_view rest_of_line() const {
+        const char* begin = at_;
+        while (begin != end_ && is_blank(*begin)) ++begin;
+        const char* end = begin;
+        while (end != end_ && *end != '\n') ++end;
+        while (end != begin && is_blank(end[-1])) --end;
+        return {begin, static_cast<std::size_t>(end - begin)};
+    }
+
     /// The next number of this line. Throws Error when it is missing, no number, or not finite;
     /// `what` names it in the message ("a vertex coordinate").
     double number(const char* what) {

@@ -1,5 +1,6 @@
-// Reads the surface of a Wavefront OBJ: v (with colours), vt, vn and f. Faces may refer to vertices
-// that come later in the file, so ranges are checked at the end; a second pass then finds the line.
+// Reads the surface of a Wavefront OBJ: v (with colours), vt, vn, f, and objects (o) as parts.
+// Faces may refer to vertices that come later in the file, so ranges are checked at the end; a
+// second pass then finds the line.
 #include <algorithm>
 #include <array>
 
@@ -54,6 +55,8 @@ class ObjParser {
     void parse_normal();
     void parse_face();
     void parse_corner();
+    void parse_object();
+    void end_object();
     void parse_other(std::string_view keyword);
     std::uint32_t resolve(std::int64_t index, Kind kind);
     template <typename Value>
@@ -63,6 +66,7 @@ class ObjParser {
     Counts limits_;
     Counts beyond_{};  ///< largest index used of each kind, plus 1
     PolygonSoup soup_;
+    std::string object_;  ///< the name of the object that faces are of
     std::uint64_t unknown_lines_ = 0;
     std::size_t first_unknown_line_ = 0;
 };
@@ -78,6 +82,8 @@ void ObjParser::parse_line() {
         parse_texture();
     else if (keyword == "vn")
         parse_normal();
+    else if (keyword == "o")
+        parse_object();
     else
         parse_other(keyword);
 }
@@ -172,13 +178,27 @@ std::uint32_t ObjParser::resolve(std::int64_t index, Kind kind) {
     return static_cast<std::uint32_t>(from_zero);
 }
 
+// An object goes on to the next; what stands before the first has no name. Objects without faces
+// are no parts.
+void ObjParser::parse_object() {
+    end_object();
+    object_ = in_.rest_of_line();
+}
+
+void ObjParser::end_object() {
+    const std::size_t first =
+        soup_.parts.empty() ? 0 : soup_.parts.back().first_face + soup_.parts.back().face_count;
+    const std::size_t end = soup_.face_count();
+    if (end > first) soup_.parts.push_back({object_, first, end - first});
+}
+
 void ObjParser::parse_other(std::string_view keyword) {
     static constexpr std::array drawn{"p", "l", "curv", "curv2", "surf"};
     static constexpr std::array silent{
-        "o",     "g",     "s",        "mg",       "usemtl", "mtllib", "usemap",     "maplib",
-        "vp",    "deg",   "bmat",     "step",     "cstype", "parm",   "trim",       "hole",
-        "scrv",  "sp",    "end",      "con",      "bevel",  "lod",    "shadow_obj", "trace_obj",
-        "ctech", "stech", "c_interp", "d_interp", "call",   "csh"};
+        "g",     "s",        "mg",       "usemtl", "mtllib", "usemap",     "maplib",    "vp",
+        "deg",   "bmat",     "step",     "cstype", "parm",   "trim",       "hole",      "scrv",
+        "sp",    "end",      "con",      "bevel",  "lod",    "shadow_obj", "trace_obj", "ctech",
+        "stech", "c_interp", "d_interp", "call",   "csh"};
     if (std::find(drawn.begin(), drawn.end(), keyword) != drawn.end()) {
         ++soup_.notes.ignored_elements;
     } else if (std::find(silent.begin(), silent.end(), keyword) == silent.end()) {
@@ -187,6 +207,7 @@ void ObjParser::parse_other(std::string_view keyword) {
 }
 
 PolygonSoup ObjParser::finish() {
+    end_object();
     if (unknown_lines_ > 0)
         soup_.notes.sentences.push_back(
             fmt::format("{} lines with an unknown keyword ignored, the "

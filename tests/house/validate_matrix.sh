@@ -38,6 +38,13 @@ if [ -n "$burl" ]; then
                 >/dev/null 2>&1 || { echo "burl bake failed on $source, $atlas"; exit 1; }
         done
     done
+    for coding in jpeg webp webp:80; do
+        for file in glb gltf; do
+            "$burl" bake "$meshes/king.obj" -o "$scratch/pictures.$(echo $coding | tr : .).$file" --size 256 --levels 3 \
+                --recipe brushed-steel --picture-format $coding \
+                >/dev/null 2>&1 || { echo "burl bake failed on $coding, $file"; exit 1; }
+        done
+    done
     for recipe in "$here"/../../assets/materials/*.json; do
         material=$(basename "$recipe" .json)
         for mesh in torus teapot cad_part; do

@@ -13,8 +13,8 @@ function sphereOf(scene) {
     scene.traverse((mesh) => {
         if (!mesh.isMesh) return;
         const position = mesh.geometry.attributes.position;
-        for (let i = 0; i < position.count; ++i) {
-            points.push(new THREE.Vector3().fromBufferAttribute(position, i).applyMatrix4(mesh.matrixWorld));
+        for (let i = 0; i < position.count; ++i) { // as targets and skin move it
+            points.push(mesh.getVertexPosition(i, new THREE.Vector3()).applyMatrix4(mesh.matrixWorld));
         }
     });
     const centre = new THREE.Box3().setFromPoints(points).getCenter(new THREE.Vector3());
@@ -30,13 +30,22 @@ function cameraOf({centre, radius}, {azimuth, elevation, distance, width, height
 }
 
 async function draw(renderer, environment, job) {
-    const {scene: object} = await new GLTFLoader().loadAsync(job.url);
+    const {scene: object, animations} = await new GLTFLoader().loadAsync(job.url);
     const scene = new THREE.Scene();
     scene.add(object);
     scene.environment = environment;
     object.traverse((mesh) => {
-        if (mesh.isMesh) mesh.material.side = THREE.DoubleSide;
+        if (!mesh.isMesh) return;
+        if (!environment) mesh.material = new THREE.MeshBasicMaterial({map: mesh.material.map});
+        mesh.material.side = THREE.DoubleSide;
+        mesh.frustumCulled = false;
     });
+    if (job.time !== null) {
+        const mixer = new THREE.AnimationMixer(object);
+        mixer.clipAction(animations[0]).play();
+        mixer.setTime(Number(job.time));
+        object.updateMatrixWorld(true);
+    }
     const n = job.supersample, width = n * job.width, height = n * job.height;
     const target = new THREE.WebGLRenderTarget(width, height, {type: THREE.FloatType, depthBuffer: true});
     renderer.setRenderTarget(target);
@@ -49,6 +58,12 @@ async function draw(renderer, environment, job) {
     return pixels;
 }
 
+async function environmentOf(renderer, url) {
+    const map = await new HDRLoader().setDataType(THREE.FloatType).loadAsync(url);
+    map.mapping = THREE.EquirectangularReflectionMapping;
+    return new THREE.PMREMGenerator(renderer).fromEquirectangular(map).texture;
+}
+
 async function post(path, body) {
     await fetch(path, {method: 'POST', body});
 }
@@ -56,9 +71,7 @@ async function post(path, body) {
 try {
     const {environment: url, jobs} = await (await fetch('/jobs')).json();
     const renderer = new THREE.WebGLRenderer({antialias: false, alpha: true});
-    const map = await new HDRLoader().setDataType(THREE.FloatType).loadAsync(url);
-    map.mapping = THREE.EquirectangularReflectionMapping;
-    const environment = new THREE.PMREMGenerator(renderer).fromEquirectangular(map).texture;
+    const environment = url ? await environmentOf(renderer, url) : null;
     for (const [number, job] of jobs.entries()) {
         await post(`/picture/${number}`, (await draw(renderer, environment, job)).buffer);
     }

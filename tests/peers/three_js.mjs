@@ -1,6 +1,7 @@
 // Draws .glb files with three.js in a headless Chromium, as another program shows what we export:
-//   node three_js.mjs MODULES CHROMIUM ENVIRONMENT.hdr AZIMUTH,ELEVATION,DISTANCE SIDE FILE.glb...
-// writes FILE.three.png beside each: averaged in linear light, through the tone curve of Khronos PBR Neutral, encoded to sRGB,
+//   node three_js.mjs MODULES CHROMIUM ENVIRONMENT.hdr|unlit AZIMUTH,ELEVATION,DISTANCE SIDE FILE.glb[@SECONDS]...
+// writes FILE.three.png beside each, with SECONDS FILE@SECONDS.three.png of that moment of its first animation; unlit, the base
+// colour as it is, else averaged in linear light, through the tone curve of Khronos PBR Neutral, encoded to sRGB,
 // over the grey of `burl render`. MODULES is the folder whose node_modules holds three.
 import {spawn} from 'node:child_process';
 import {createServer} from 'node:http';
@@ -10,7 +11,9 @@ import {basename, dirname, join, normalize} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {deflateSync} from 'node:zlib';
 
-const [modules, chromium, environment, view, side, ...files] = process.argv.slice(2);
+const [modules, chromium, environment, view, side, ...asked] = process.argv.slice(2);
+const files = asked.map((name) => name.split('@')[0]), times = asked.map((name) => name.split('@')[1] ?? null);
+const unlit = environment === 'unlit';
 const here = dirname(fileURLToPath(import.meta.url));
 const [azimuth, elevation, distance] = view.split(',').map(Number);
 const size = Number(side), supersample = 2, grey = 176;
@@ -27,6 +30,7 @@ function toneMapped(c) {
     return c.map((v) => v * newPeak / peak * (1 - g) + newPeak * g);
 }
 
+const toned = (c) => unlit ? c : toneMapped(c);
 const encoded = (v) => Math.round(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * Math.min(v, 1) ** (1 / 2.4) - 0.055));
 
 // The 8-bit picture of linear samples with alpha multiplied in, rows from below.
@@ -41,7 +45,7 @@ function developed(samples) {
                     for (let c = 0; c < 4; ++c) sum[c] += samples[at + c] / (n * n);
                 }
             }
-            const codes = sum[3] > 0 ? toneMapped(sum.slice(0, 3).map((v) => v / sum[3])).map(encoded) : [grey, grey, grey];
+            const codes = sum[3] > 0 ? toned(sum.slice(0, 3).map((v) => v / sum[3])).map(encoded) : [grey, grey, grey];
             picture.set(sum[3] < 1 ? [grey, grey, grey] : codes, 3 * (y * size + x));
         }
     }
@@ -75,11 +79,11 @@ function png(picture) {
         chunk('IEND', Buffer.alloc(0))]);
 }
 
-const jobs = files.map((_, i) => ({url: `/file/${i}.glb`, azimuth, elevation, distance, width: size, height: size, supersample}));
+const jobs = files.map((_, i) => ({url: `/file/${i}.glb`, time: times[i], azimuth, elevation, distance, width: size, height: size, supersample}));
 const types = {'.mjs': 'text/javascript', '.js': 'text/javascript', '.html': 'text/html'};
 
 function find(url) {
-    if (url === '/jobs') return Buffer.from(JSON.stringify({environment: '/environment.hdr', jobs}));
+    if (url === '/jobs') return Buffer.from(JSON.stringify({environment: unlit ? null : '/environment.hdr', jobs}));
     if (url === '/environment.hdr') return readFileSync(environment);
     const file = url.match(/^\/file\/(\d+)\.glb$/);
     if (file) return readFileSync(files[Number(file[1])]);
@@ -91,7 +95,8 @@ function receive(url, body) {
     const number = url.match(/^\/picture\/(\d+)$/);
     if (number) {
         const samples = new Float32Array(body.buffer.slice(body.byteOffset, body.byteOffset + body.length));
-        writeFileSync(files[Number(number[1])].replace(/\.glb$/, '.three.png'), png(developed(samples)));
+        const i = Number(number[1]), moment = times[i] === null ? '' : `@${times[i]}`;
+        writeFileSync(files[i].replace(/\.glb$/, `${moment}.three.png`), png(developed(samples)));
     } else if (url === '/failed') {
         console.log(body.toString());
         finish(1);

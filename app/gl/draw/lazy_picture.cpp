@@ -6,7 +6,6 @@
 #include "app/base/stopwatch.h"
 #include "app/gl/draw/view_pictures.h"
 #include "app/gl/draw/view_scene.h"
-#include "app/scene/up_axis.h"
 #include "atlas/base/error.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/solid/level.h"
@@ -122,7 +121,6 @@ LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& vi
     context.make_current();
     LazyPicture result;
     Scene scene = baked_scene(pipeline, options.crease_degrees, options.pose);
-    turn(scene, options.upright);
     ViewPictures pictures(pipeline, scene, options);
     const ViewSource& source = pictures.source();
     const int colors = baked_material(scene).texture;

@@ -73,7 +73,6 @@ struct LazyOptions {
     HostWay way{};
     double crease_degrees = 40.0;
     const MeshPose* pose = nullptr;  ///< a pose of the pipeline's mesh; null: none
-    Mat4d upright{1.0};              ///< the turn of the scene (app/scene/up_axis.h)
     std::uint32_t cell = view_cell;
     /// The light of `picture`, where it has been made for another picture; null: it is made.
     std::shared_ptr<const GlLight> light{};

@@ -1,0 +1,22 @@
+#pragma once
+// Colours per point in place of a texture: --vertex-colors.
+#include <vector>
+
+#include "app/bake/bake.h"
+
+namespace burl {
+
+/// The recipe's colour at each point of the mesh, in linear light with alpha: its exact value, in
+/// float64 unless the recipe asks for another precision, without a filter. Throws
+/// Error(unsupported) where the recipe reads a mask of the mesh's shape, and as check_lattice does.
+std::vector<Vec4f> vertex_colors(const Recipe& recipe, const Mesh& mesh);
+
+/// What the recipe has besides numbers and the base colour, which vertex colours do not hold, as a
+/// sentence; empty: nothing.
+std::string lost_with_vertex_colors(const Recipe& recipe);
+
+/// Writes the mesh with the colours of its points; there is no atlas and no image. Throws Error as
+/// vertex_colors() and scene_files() do.
+BakeResult bake_vertex_colors(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose);
+
+}  // namespace burl
