@@ -668,14 +668,11 @@ def points_of(mesh, y_up):
     return (points[:, [0, 2, 1]] * numpy.array([1, 1, -1], numpy.float32) if y_up else points) + numpy.float32(0)  # no -0
 
 
-def numbered(points, triangles):
-    """The number that Burl gives each vertex: equal points have one, in the order in which triangles use them; -1: none does."""
-    _, same = numpy.unique(points, axis=0, return_inverse=True)
-    same = same.ravel()
-    used, first = numpy.unique(same[triangles.ravel()], return_index=True)
-    numbers_of = numpy.full(same.max(initial=-1) + 1, -1)
-    numbers_of[used[numpy.argsort(first)]] = numpy.arange(len(used))
-    return numbers_of[same], len(used)
+def numbered(own, output):
+    """Numbers of the mesh's points and of the output's, the same where points are, whatever the order of either."""
+    both = numpy.concatenate([own, output.astype(numpy.float32) + numpy.float32(0)])
+    _, same = numpy.unique(both, axis=0, return_inverse=True)
+    return same.ravel()[: len(own)], same.ravel()[len(own) :]
 
 
 def write_obj(mesh, path, y_up, uv_layer=None):
@@ -717,12 +714,12 @@ def read_obj(path):
 
 def pieces_of(triangles, faces, points):
     """For each triangle of the mesh the first of the output's faces that show it, and one more than the last: one face, or several
-    where Burl cut it. Vertices are numbered as in the output."""
+    where Burl cut it. Both have the numbers of their corners' points."""
     def area(corners):
         a, b, c = points[corners]
         return float(numpy.linalg.norm(numpy.cross(b - a, c - a)))
 
-    shown, at, begins, ends = faces[:, :, 0].tolist(), 0, [], []
+    shown, at, begins, ends = faces.tolist(), 0, [], []
     for corners in triangles.tolist():
         begins.append(at)
         if at < len(shown) and shown[at] == corners:
@@ -743,8 +740,13 @@ def apply_atlas(mesh, path, y_up):
     cut, become triangles; returns their number."""
     points, places, faces = read_obj(path)
     triangles, loops, polygons = loops_of(mesh)
-    own_numbers, used = numbered(points_of(mesh, y_up), triangles)
-    begins, ends = pieces_of(own_numbers[triangles], faces, points)
+    own_points = points_of(mesh, y_up)
+    own_numbers, their_numbers = numbered(own_points, points)
+    by_number = numpy.empty((max(own_numbers.max(), their_numbers.max()) + 1, 3))
+    by_number[own_numbers] = own_points
+    by_number[their_numbers] = points
+    faces[:, :, 0] = their_numbers[faces[:, :, 0]]
+    begins, ends = pieces_of(own_numbers[triangles], faces[:, :, 0], by_number)
     if LAYER in mesh.uv_layers:
         mesh.uv_layers.remove(mesh.uv_layers[LAYER])
     layer = mesh.uv_layers.new(name=LAYER, do_init=False)
@@ -761,14 +763,14 @@ def apply_atlas(mesh, path, y_up):
     layer.active_render = True
     if split:
         if y_up:
-            points = points[:, [0, 2, 1]] * [1, -1, 1]
+            by_number = by_number[:, [0, 2, 1]] * [1, -1, 1]
         runs = zip(zip(begins.tolist(), ends.tolist()), polygons.tolist())
-        cut_polygons(mesh, split, runs, own_numbers, used, points, places, faces)
+        cut_polygons(mesh, split, runs, own_numbers, by_number, places, faces)
     return len(split)
 
 
-def cut_polygons(mesh, split, runs, own_numbers, used, points, places, faces):
-    """Replaces polygons by the atlas's triangles. Vertices that Burl added, from number `used` on, are made once."""
+def cut_polygons(mesh, split, runs, own_numbers, points, places, faces):
+    """Replaces polygons by the atlas's triangles. Points that Burl added become vertices once."""
     body = bmesh.new()
     body.from_mesh(mesh)
     body.faces.ensure_lookup_table()
@@ -783,10 +785,10 @@ def cut_polygons(mesh, split, runs, own_numbers, used, points, places, faces):
         corner_of = {int(own_numbers[v.index]): v for v in old.verts}
         for face in faces[begin:end].tolist():
             for v, _ in face:
-                if v >= used and v not in made:
+                if v not in corner_of and v not in made:
                     made[v], ends = new_vertex(body, old, points[v])
                     between[made[v]] = ends
-            corners = [corner_of[v] if v < used else made[v] for v, _ in face]
+            corners = [corner_of[v] if v in corner_of else made[v] for v, _ in face]
             if len(set(corners)) < 3 or body.faces.get(corners):  # no area, or there already
                 continue
             new = body.faces.new(corners, old)
