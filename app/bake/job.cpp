@@ -285,13 +285,6 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
     return made_from;
 }
 
-/// The recipe's keys of the pose's weight.
-KeyTrack BakeJob::pose_keys() const {
-    for (const KeyTrack& track : command_.recipe.load_keyed().animation.tracks)
-        if (track.path == "pose.weight") return track;
-    return {};
-}
-
 BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                               const std::shared_ptr<KeptScene>& kept, LaterBake later) const {
     std::vector<Recipe> recipes = *recipes_;

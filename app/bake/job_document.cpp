@@ -81,4 +81,11 @@ std::vector<std::string> BakeJob::losses_before() const {
     return losses;
 }
 
+/// The recipe's keys of the pose's weight.
+KeyTrack BakeJob::pose_keys() const {
+    for (const KeyTrack& track : command_.recipe.load_keyed().animation.tracks)
+        if (track.path == "pose.weight") return track;
+    return {};
+}
+
 }  // namespace burl
