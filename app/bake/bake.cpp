@@ -6,12 +6,14 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include "app/bake/texture.h"
+#include "app/bake/tiles.h"
 #include "app/base/stopwatch.h"
 #include "app/export/emit.h"
 #include "app/export/formats.h"
-#include "app/image/image_io.h"
 #include "app/pipeline/displaced_mesh.h"
 #include "app/pipeline/mask_picture.h"
 #include "app/recipe/edit/recipe_json.h"
@@ -35,9 +37,22 @@ void tell(const BakePlan& plan, const Mesh& mesh, const std::string& what) {
 /// may not hold the mesh at all; then the error alone is told.
 void tell_shortage(const BakePlan& plan, const Mesh& mesh, const AtlasOptions& atlas,
                    const MeshAtlas* made) {
-    const bool strips = atlas.kind != AtlasKind::patch && atlas.kind != AtlasKind::quad;
-    if (strips == (made != nullptr))
+    if (atlas.columns() != atlas.rows()) return;
+    if (is_strips(atlas.kind) == (made != nullptr))
         tell(plan, mesh, shortage(capacity(mesh.triangles.size(), atlas)));
+}
+
+/// Tells what texture coordinates cannot show.
+void tell_uv_losses(const BakePlan& plan, const Mesh& mesh, const LayoutNotes& notes) {
+    if (notes.overlapped_texels > 0)
+        tell(plan, mesh,
+             fmt::format("{} triangles share {} texels, which show the first of them",
+                         notes.overlapping_triangles, notes.overlapped_texels));
+    if (notes.flat_triangles > 0)
+        tell(plan, mesh,
+             fmt::format("{} of {} triangles have no texture coordinates, or no area in them, and "
+                         "show what is at their corners",
+                         notes.flat_triangles, mesh.triangles.size()));
 }
 
 /// Tells what comes next, at a share of the frame `number`. Throws Error where the bake is to stop.
@@ -63,6 +78,13 @@ void set_frame(Pipeline& pipeline, const BakePlan& plan, std::size_t number) {
     pipeline.set_recipe(recipe);
 }
 
+/// The size of an arena for the plan's threads; more than there are would be warned of.
+int threads_of(const BakePlan& plan) {
+    const auto most =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return plan.threads > 0 ? std::min(plan.threads, int(most)) : tbb::task_arena::automatic;
+}
+
 ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose) {
     ExportOptions options;
     options.crease_degrees = plan.crease_degrees;
@@ -73,6 +95,7 @@ ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const Mes
     if (pose)
         options.pose = ExportPose{atlas_pose(*pose, pipeline.mesh(), pipeline.mesh_atlas()),
                                   pipeline.recipe().pose.weight};
+    options.pose_keys = plan.pose_keys;
     return options;
 }
 
@@ -84,29 +107,38 @@ std::optional<NormalMap> bake_normals(Pipeline& pipeline, const BakePlan& plan,
     return map;
 }
 
+/// Writes the normal map beside an .exr, if there is one.
+std::vector<AtomicFile> normals_beside(const BakePlan& plan, const std::string& path,
+                                       const std::optional<NormalMap>& normals) {
+    std::vector<AtomicFile> files;
+    if (normals)
+        encode_normals(*normals, plan.coding,
+                       sink_of(files.emplace_back(normal_map_path(path, plan.coding.format))));
+    return files;
+}
+
 /// Writes the files of an .exr band by band; the whole texture is never in memory.
 std::vector<AtomicFile> files_in_bands(Pipeline& pipeline, const BakePlan& plan,
                                        const std::string& path, BakeResult& result) {
     result.normals = bake_normals(pipeline, plan, {});
-    BandsWritten bands = write_exr_in_bands(pipeline, path, plan.levels,
-                                            result.normals ? &*result.normals : nullptr);
+    std::vector<AtomicFile> files = normals_beside(plan, path, result.normals);
+    BandsWritten bands = write_exr_in_bands(pipeline, path, plan.levels, plan.exr_depth);
     result.levels.count = std::uint32_t(bands.levels);
     result.writing += bands.seconds;
-    return std::move(bands.files);
+    files.push_back(std::move(bands.file));
+    return files;
 }
 
 /// Writes a material as .exr, with a layer per channel.
 std::vector<AtomicFile> files_of_material(Pipeline& pipeline, const BakePlan& plan,
                                           const std::string& path, const MaterialAsked& asked,
                                           BakeResult& result) {
-    std::vector<AtomicFile> files;
     MaterialAsked pictures = asked;
     pictures.normals =
         false;  // normals beside an .exr have no levels that roughness could make up for
     result.normals = bake_normals(pipeline, plan, {});
-    if (result.normals)
-        encode_normals(*result.normals, sink_of(files.emplace_back(normal_map_path(path))));
-    files.push_back(write_material_exr(pipeline, path, pictures));
+    std::vector<AtomicFile> files = normals_beside(plan, path, result.normals);
+    files.push_back(write_material_exr(pipeline, path, pictures, plan.exr_depth));
     result.levels.count = asked.levels;
     return files;
 }
@@ -146,15 +178,20 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     options.normals = std::move(normals);
     options.material = material_factors(pipeline.recipe(), asked.rough_levels());
     options.pictures = std::move(material.pictures);
+    cut_to_extent(pipeline.atlas().options, result.texture.image, options);
+    options.coding = plan.coding;
+    options.exr_depth = plan.exr_depth;
     const BakedAtlas& baked = result.texture;
     const Atlas& atlas = baked.packed ? *baked.packed : pipeline.atlas();
     const Mesh& rest = pipeline.atlas_mesh();
-    std::vector<AtomicFile> files =
-        plan.kept ? files_of_kept(pipeline, *plan.kept, {path, rest, atlas, baked.image, options})
-        : plan.displaces
-            ? scene_files(path, displaced_mesh(rest, pipeline.recipe(), pipeline.mesh()), atlas,
-                          baked.image, options)
-            : scene_files(path, rest, atlas, baked.image, options);
+    tbb::task_arena arena(threads_of(plan));
+    std::vector<AtomicFile> files = arena.execute([&] {
+        if (plan.kept)
+            return files_of_kept(pipeline, *plan.kept, {path, rest, atlas, baked.image, options});
+        if (!plan.displaces) return scene_files(path, rest, atlas, baked.image, options);
+        return scene_files(path, displaced_mesh(rest, pipeline.recipe(), pipeline.mesh()), atlas,
+                           baked.image, options);
+    });
     if (plan.kept) result.lost = plan.kept->document.losses;
     result.levels.count = std::uint32_t(options.levels.size());
     result.normals = std::move(options.normals);
@@ -163,21 +200,23 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
 }
 
 template <class Code>
-void write_mask(AtomicFile& file, Pipeline& pipeline, const std::string& name) {
+void write_mask(AtomicFile& file, Pipeline& pipeline, const std::string& name,
+                const PictureCoding& coding) {
     if (name == light_picture_name)
-        encode_png(light_picture<Rgb<Code>>(pipeline), sink_of(file));
+        encode_picture(light_picture<Rgb<Code>>(pipeline), sink_of(file), coding);
     else
-        encode_png(mask_picture<Code>(pipeline, name), sink_of(file));
+        encode_picture(mask_picture<Code>(pipeline, name), sink_of(file), coding);
 }
 
 /// Adds a picture of each mask that the plan has.
 void add_channels(std::vector<AtomicFile>& files, Pipeline& pipeline, const BakePlan& plan) {
     for (const std::string& name : plan.channels) {
-        AtomicFile& file = files.emplace_back(picture_path(plan.paths.front(), name));
+        AtomicFile& file =
+            files.emplace_back(picture_path(plan.paths.front(), name, plan.coding.format));
         if (plan.depth == 16)
-            write_mask<Grey16>(file, pipeline, name);
+            write_mask<Grey16>(file, pipeline, name, plan.coding);
         else
-            write_mask<Grey8>(file, pipeline, name);
+            write_mask<Grey8>(file, pipeline, name, plan.coding);
     }
 }
 
@@ -203,6 +242,7 @@ void commit(std::vector<AtomicFile>& files, BakeResult& result) {
 BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, LaterBake later) {
     BakeResult result;
     result.levels.rule = plan.levels.rule;
+    result.paths = plan.paths;
     const Mesh& mesh = pipeline.mesh();
     set_frame(pipeline, plan, 0);
     const Recipe& recipe = pipeline.recipe();
@@ -218,6 +258,7 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     go_on(plan, 0, "finding the solid's points", 0.25);
     const MeshAtlas& atlas = *made;
     tell(plan, mesh, atlas.atlas().notes.fallback);
+    tell_uv_losses(plan, mesh, atlas.atlas().notes);
     tell_shortage(plan, mesh, recipe.atlas, &atlas);
     if (later == LaterBake::none) stages.connectivity.release_neighbours();
     const SolidAtlas& points = stages.solid.run(context, mesh, atlas, recipe.solid.space);

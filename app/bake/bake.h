@@ -28,7 +28,9 @@ struct BakePlan {
     std::function<void(const std::string&)> tell{};
     ImageKind kind = ImageKind::rgb8;  ///< kind of image of the textures (wanted_kind)
     int depth = 8;                     ///< bits of textures in sRGB and of normal maps, 8 or 16
-    double crease_degrees = 40.0;      ///< crease angle of computed normals (app/surface/normals.h)
+    PictureCoding coding{};            ///< of pictures (coding_asked)
+    ExrDepth exr_depth = ExrDepth::half;
+    double crease_degrees = 40.0;  ///< crease angle of computed normals (app/surface/normals.h)
     LevelsAsked levels{};
     NormalSpace normals = NormalSpace::none;
     bool normals_down = false;            ///< whether a normal map's green points down
@@ -41,8 +43,9 @@ struct BakePlan {
     /// The document that gets the mesh back with its texture; null: the output is a scene of its
     /// own.
     std::shared_ptr<KeptScene> kept{};
-    bool measures = true;                  ///< whether the atlas is measured for a report
-    int threads = 0;                       ///< number of threads for the solid map; 0: all
+    KeyTrack pose_keys{};  ///< the pose's weight over time, for a scene that holds it
+    bool measures = true;  ///< whether the atlas is measured for a report
+    int threads = 0;       ///< number of threads for the files; 0: all
     std::shared_ptr<const KeptObj> obj{};  ///< the mesh's own OBJ, of which an .obj keeps the rest
     bool vertex_colors = false;            ///< whether colours per point replace the texture
     /// Is told what comes next, and which share of the bake is done, 0 to 1; empty: nobody is.
@@ -64,6 +67,7 @@ enum class LaterBake { none, mesh, atlas };
 /// Results of a bake, for its report; texture and normals are those of the last frame.
 struct BakeResult {
     std::optional<AtlasMetrics> metrics{};   ///< measures of the atlas, if the plan asks for them
+    std::vector<std::string> paths{};        ///< outputs, as in the plan
     std::vector<CommittedFile> committed{};  ///< the files of every frame, solid map and shader
     LevelsAsked levels{};  ///< MIP levels that were written; strip atlases have few
     std::optional<NormalMap> normals{};

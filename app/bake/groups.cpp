@@ -110,16 +110,16 @@ std::string pictures_of(const std::string& out, const std::string& share,
 }
 
 void check_options(const BakeCommand& command) {
-    if (keeps_document(command.mesh, command.out) && command.pose.empty() && !command.displace)
+    if (keeps_document(command.mesh, command.out) && command.pose.empty() && !command.displace &&
+        !command.vertex_colors)
         return;
     const char* option = !command.assigned.empty()      ? "--assign"
                          : command.atlas_per != "scene" ? "--atlas-per"
-                         : command.uv_set               ? "--uv-set"
                                                         : nullptr;
     if (option)
         throw Error(ExitCode::usage,
-                    fmt::format("{}: {} is for a glTF that becomes a glTF, without --pose and "
-                                "--displace; leave it out",
+                    fmt::format("{}: {} is for a glTF that becomes a glTF, without --pose, "
+                                "--displace and --vertex-colors; leave it out",
                                 command.out, option));
 }
 

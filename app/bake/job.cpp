@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bake/report.h"
+#include "app/bake/tiles.h"
 #include "app/bake/up_to_date.h"
 #include "app/bake/vertex_colors.h"
 #include "app/base/atomic_file.h"
@@ -75,9 +76,12 @@ BakePlan plan_of(const BakeCommand& command,
     plan.recipe = [recipes](std::size_t number) { return (*recipes)[number]; };
     plan.tell = [](const std::string& what) { warn(what); };
     plan.depth = command.bits();
+    plan.coding = coding_asked(command.picture_format, command.out);
+    plan.exr_depth = command.depth == 32 ? ExrDepth::full : ExrDepth::half;
     plan.crease_degrees = command.crease_degrees();
     const Recipe& first = recipes->front();
-    plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
+    plan.levels = levels_asked(command.levels, command.level_rule,
+                               std::min(first.atlas.columns(), first.atlas.rows()), plan.kind);
     plan.displaces = command.displace.has_value();
     const std::string& normals =
         (plan.displaces || command.vertex_colors) && command.normals.empty() ? "none"
@@ -123,6 +127,8 @@ BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
       recipes_(recipes_of(command_)),
       plan_(plan_of(command_, recipes_)),
       inputs_(files_read(command_, recipe())) {
+    if (recipe().atlas.kind == AtlasKind::uv)
+        command_.meshes.read.uv_set = command_.uv_set.value_or(0);
     for (std::size_t g = 1; g < groups.size(); ++g) {
         others_.push_back(BakeJob({groups[g]}, settings));
         std::ranges::copy(others_.back().inputs_, std::back_inserter(inputs_));
@@ -132,27 +138,28 @@ BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
     made_from_ = what_it_is_made_from(settings);
 }
 
-std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
+std::vector<std::string> BakeJob::outputs(const std::vector<std::string>& paths,
+                                          std::uint32_t levels) const {
     std::vector<std::string> outputs;
     if (command_.vertex_colors)
         outputs = paths_without_texture(command_.out);
     else if (pictures_ != command_.out)
         outputs = document_outputs(levels);
     else
-        for (const std::string& path : plan_.paths)
+        for (const std::string& path : paths)
             std::ranges::move(paths_of(path, levels), std::back_inserter(outputs));
     for (const std::string& name : command_.channels)
-        outputs.push_back(picture_path(command_.out, name));
+        outputs.push_back(picture_path(command_.out, name, plan_.coding.format));
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
         if (!path.empty()) outputs.push_back(path);
     return outputs;
 }
 
 /// Throws Error if an output would replace a file that is read or another output.
-void BakeJob::check_files() const {
+void BakeJob::check_files(const std::vector<std::string>& paths) const {
     CommandFiles files;
     files.read(inputs_);
-    for (const std::string& path : outputs())
+    for (const std::string& path : outputs(paths, plan_.levels.count))
         files.write(path, path == command_.solid_map ? ".exr" : "");
     if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
     files.write(record_path(command_.out));
@@ -161,11 +168,12 @@ void BakeJob::check_files() const {
 /// Checks the command before any work starts. Throws Error.
 void BakeJob::check() const {
     if (command_.animation.asked() && holds_mesh(command_.out))
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: --frames writes textures alone, .png or .exr; bake the mesh "
-                                "once without --frames: its texture coordinates fit every frame",
-                                command_.out));
-    check_files();
+        throw Error(
+            ExitCode::usage,
+            fmt::format("{}: --frames writes textures alone, .png or .exr, say; bake the mesh "
+                        "once without --frames: its texture coordinates fit every frame",
+                        command_.out));
+    check_files(plan_.paths);
     const AtlasKind kind = recipe().atlas.kind;
     if (command_.compress && kind != AtlasKind::quad)
         throw Error(ExitCode::usage,
@@ -177,6 +185,8 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
+    check_coding();
+    check_uvs(command_, recipe(), plan_, kept_document());
     if (command_.vertex_colors) check_vertex_colors(command_.out, command_.recipe);
     if (!command_.pose.empty() && command_.meshes.read.choice.any())
         throw Error(
@@ -197,21 +207,6 @@ std::string BakeJob::not_of(const Recipe& recipe) const {
     return any ? "" : "--kernel " + command_.kernel;
 }
 
-/// Throws Error(usage) where --displace cannot be had with what else is asked for.
-void BakeJob::check_displacement() const {
-    if (!command_.displace) return;
-    const auto refuse = [&](const char* why) {
-        throw Error(ExitCode::usage, fmt::format("{}: --displace: {}", command_.out, why));
-    };
-    if (!holds_mesh(command_.out))
-        refuse("a texture alone has no points to move; write .glb, .gltf or .obj, or leave it out");
-    if (recipe().bump.empty())
-        refuse("the recipe has no height; add material.height, or leave --displace out");
-    if (has_normals())
-        refuse("the normal map would show the same height once more; leave --normals out");
-    if (!command_.pose.empty()) refuse("a pose has points of its own; leave one of the two out");
-}
-
 /// Throws Error(usage) if an option would have no effect.
 void BakeJob::check_idle() const {
     const auto refuse = [&](std::string_view option, std::string_view why) {
@@ -220,7 +215,7 @@ void BakeJob::check_idle() const {
     };
     const bool mesh = holds_mesh(command_.out), normals = has_normals();
     const bool pictures = normals || !command_.channels.empty();
-    if (command_.depth && plan_.kind == ImageKind::rgb_float && !pictures)
+    if (command_.depth.value_or(32) != 32 && plan_.kind == ImageKind::rgb_float && !pictures)
         refuse("--depth", "an .exr always has floats");
     if (command_.normal_y == "-" && !normals) refuse("--normal-y", "there is no normal map");
     if (command_.normal_y == "-" && plan_.normals == NormalSpace::object)
@@ -290,6 +285,13 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
     return made_from;
 }
 
+/// The recipe's keys of the pose's weight.
+KeyTrack BakeJob::pose_keys() const {
+    for (const KeyTrack& track : command_.recipe.load_keyed().animation.tracks)
+        if (track.path == "pose.weight") return track;
+    return {};
+}
+
 BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                               const std::shared_ptr<KeptScene>& kept, LaterBake later) const {
     std::vector<Recipe> recipes = *recipes_;
@@ -307,7 +309,13 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
     if (is_obj(command_.out) && !command_.displace)
         plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
+    if (command_.udim) {
+        plan = plan_of_tiles(pipeline, plan, recipes[0]);
+        check_files(plan.paths);
+        if (plan.paths.size() > 1) later = std::max(later, LaterBake::mesh);
+    }
     plan.kept = kept;
+    if (pose) plan.pose_keys = pose_keys();
     if (kept)
         prepare(*kept, command_.mesh, command_.meshes.read, pictures_,
                 frame_transform(command_.meshes.frame));
@@ -323,6 +331,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     if (!holds_mesh(command_.out) && !unheld.empty())
         warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
                          unheld));
+    warn_of_depth();
     const std::vector<std::string> flat = losses_before();
     const std::shared_ptr<KeptScene> kept = kept_scene();
     if (kept) kept->is_last = others_.empty();
@@ -349,9 +358,16 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
     if (plan_.vertex_colors)
-        return vertex_colors_json(command_.mesh, outputs(0), recipe, pipeline, std::move(seconds));
-    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe, pipeline, result,
-                            std::move(seconds));
+        return vertex_colors_json(command_.mesh, outputs(plan_.paths, 0), recipe, pipeline,
+                                  std::move(seconds));
+    Json report = bake_json(command_.mesh, outputs(result.paths, result.levels.count), recipe,
+                            pipeline, result, std::move(seconds));
+    if (command_.udim) {
+        // All charts were measured in one tile.
+        Json& coverage = report["atlas"]["coverage"];
+        coverage = coverage.get<double>() / double(result.paths.size());
+        report["udim_paths"] = result.paths;
+    }
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)
         report["solid_map"] = {{"file", command_.solid_map}, {"base", {base->x, base->y, base->z}}};
@@ -367,7 +383,8 @@ std::optional<Json> BakeJob::known_report() const {
     if (!report) return report;
     // The folder may have been moved, or may be named from another working directory.
     (*report)["input"] = command_.mesh;
-    (*report)["outputs"] = outputs(report->at("mip_levels").get<std::uint32_t>());
+    if (!command_.udim)
+        (*report)["outputs"] = outputs(plan_.paths, report->at("mip_levels").get<std::uint32_t>());
     // Normals are measured only if a report is wanted, so the record may lack them.
     if (has_normals() && wants_report() && !report->contains("normals")) return std::nullopt;
     (*report)["up_to_date"] = true;
@@ -378,7 +395,9 @@ void BakeJob::print(const Json& report) const {
     if (!command_.report.empty()) write_json(command_.report, report);
     if (command_.json) write_json("-", report);
     if (!command_.json && !command_.quiet && command_.report != "-")
-        print_summary(report, plan_.paths);
+        print_summary(report, command_.udim
+                                  ? report.at("udim_paths").get<std::vector<std::string>>()
+                                  : plan_.paths);
 }
 
 }  // namespace burl

@@ -29,8 +29,8 @@ class BakeJob {
     /// All files that are read, or that the mesh's file names.
     const std::vector<std::string>& inputs() const { return inputs_; }
     /// All files that will be written, except reports and the record. (Strip atlases may have fewer
-    /// levels than asked for.)
-    std::vector<std::string> outputs() const { return outputs(plan_.levels.count); }
+    /// levels than asked for; with --udim each of these stands for one file per tile.)
+    std::vector<std::string> outputs() const { return outputs(plan_.paths, plan_.levels.count); }
 
     /// All that the outputs depend on (app/bake/up_to_date.h), with the content of files when the
     /// job was constructed: files that a batch reads once for many bakes may change later.
@@ -62,16 +62,20 @@ class BakeJob {
     void bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& result,
                      Json& reports) const;
     bool kept_document() const;
+    KeyTrack pose_keys() const;
     std::vector<std::string> losses_before() const;
     std::vector<std::string> paths_of(const std::string& out, std::uint32_t levels) const;
     std::vector<std::string> document_outputs(std::uint32_t levels) const;
     Json report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                    const TextureSynthesizer* synthesizer, Json seconds) const;
-    std::vector<std::string> outputs(std::uint32_t levels) const;
+    std::vector<std::string> outputs(const std::vector<std::string>& paths,
+                                     std::uint32_t levels) const;
     void check() const;
-    void check_files() const;
+    void check_files(const std::vector<std::string>& paths) const;
     std::string not_of(const Recipe& recipe) const;
     void check_displacement() const;
+    void check_coding() const;
+    void warn_of_depth() const;
     void check_idle() const;
     Json what_it_is_made_from(const Json& settings) const;
     bool has_normals() const { return plan_.normals != NormalSpace::none; }

@@ -17,7 +17,7 @@ namespace burl {
 
 std::vector<std::string> BakeJob::paths_of(const std::string& out, std::uint32_t levels) const {
     return output_paths(out, levels, has_normals(), picture_names(recipe(), plan_.material()),
-                        plan_.material().rough_levels());
+                        plan_.material().rough_levels(), plan_.coding.format);
 }
 
 /// The files of a document with several atlases: those of the document, then each atlas's pictures.

@@ -206,7 +206,7 @@ BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked) {
 }
 
 AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
-                              const MaterialAsked& asked) {
+                              const MaterialAsked& asked, ExrDepth depth) {
     const Recipe& recipe = pipeline.recipe();
     check_material(recipe, asked, "");
     const std::vector<MaterialPicture> wanted =
@@ -233,7 +233,7 @@ AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
                     })));
         }
     }
-    return write_exr_layers(path, layers);
+    return write_exr_layers(path, layers, depth);
 }
 
 std::string numbers_in_no_picture(const Recipe& recipe, Packing packing) {

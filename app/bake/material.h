@@ -47,7 +47,7 @@ BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked);
 /// Writes the material in linear floats to `path`, an .exr, with a layer per channel that varies
 /// and all MIP levels if any are asked for.
 AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
-                              const MaterialAsked& asked);
+                              const MaterialAsked& asked, ExrDepth depth);
 
 /// The channels that are the same everywhere but not as by default, each with its number: pictures
 /// of this packing do not hold them, so they are lost where there is no file of a mesh. Empty where

@@ -85,11 +85,22 @@ void add_channels(CLI::App& verb, BakeCommand& command) {
     const auto masks = mask_picture_names();
     verb.add_option_function<std::vector<std::string>>(
             "--channels", take,
-            "Masks of the mesh's shape to write as NAME_MASK.png, separated by commas: "
+            "Masks of the mesh's shape to write as NAME_MASK.png (or as --picture-format says), "
+            "separated by commas: "
             "occlusion, curvature, thickness, facing, height_in_box, edge_distance, part, "
             "lighting")
         ->check(list_of({masks.begin(), masks.end()}))
         ->excludes("--compress");
+}
+
+/// Adds --udim, for which every option must work that is not excluded here.
+void add_udim(CLI::App& verb, BakeCommand& command) {
+    auto* udim =
+        verb.add_flag("--udim", command.udim,
+                      "With --atlas uv: write an image for each UDIM tile that the texture "
+                      "coordinates lie in: NAME.1001.png, NAME.1002.png, ...");
+    for (const char* option : {"--frames", "--solid-map", "--channels"})
+        udim->excludes(verb.get_option(option));
 }
 
 /// Adds the options of normal maps and of a material's pictures.
@@ -114,9 +125,14 @@ void add_pictures(CLI::App& verb, BakeCommand& command) {
                     "(down, Unreal)")
         ->check(one_of({"+", "-"}))
         ->capture_default_str();
-    verb.add_option("--depth", command.depth, "Bits per channel of .png textures")
-        ->check(CLI::IsMember({8, 16}))
+    verb.add_option("--depth", command.depth,
+                    "Bits per channel: 8 or 16 of .png, 32 of .exr (in place of its half floats)")
+        ->check(CLI::IsMember({8, 16, 32}))
         ->default_str("8");
+    verb.add_option("--picture-format", command.picture_format,
+                    "Pictures in and beside the output: png (the default), jpeg, webp or ktx2, "
+                    "with a quality where it is not theirs: jpeg:1 to :100 (90), webp:0 to :100 "
+                    "(100, which loses nothing), ktx2:0 to :19 (zstd's level, 3)");
     verb.add_option("--crease", command.crease,
                     "Angle in degrees above which computed normals split")
         ->check(in_range(0.0, 180.0))
@@ -142,7 +158,8 @@ void add_document(CLI::App& verb, BakeCommand& command) {
         ->capture_default_str();
     verb.add_option("--uv-set", command.uv_set,
                     "Set of a glTF's texture coordinates that gets the atlas's, the old ones from "
-                    "there on moved up by one; left out: the first free one")
+                    "there on moved up by one; left out: the first free one. With --atlas uv: the "
+                    "set that is read, and stays; left out: 0")
         ->check(CLI::Range(0, 15));
     verb.add_flag("--strict", command.strict,
                   "Fail where the output cannot keep all that the mesh's file holds");
@@ -196,6 +213,7 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     add_channels(verb, command);
     for (const char* option : {"--levels", "--compress", "--solid-map", "--channels"})
         verb.get_option("--frames")->excludes(verb.get_option(option));
+    add_udim(verb, command);
     verb.add_option(
         "--emit-glsl", command.emitted_glsl,
         "Write the whole material as a GLSL 3.30 fragment shader to this file, for engines");

@@ -1,5 +1,6 @@
 #pragma once
 // The command of `burl bake` and its options, which are also those of an entry of `burl batch`.
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,10 +27,11 @@ struct BakeCommand {
     MeshOptions meshes;
     EconomyOptions economy;
     int threads = 0;
-    std::optional<int> depth;      ///< bits per channel; none: 8
+    std::optional<int> depth;      ///< bits per channel, 32 of an .exr only; none: 8
     std::optional<double> crease;  ///< crease angle in degrees; none: 40
     std::string levels, level_rule, normals, solid_map, emitted_glsl;
     std::vector<std::string> channels;  ///< names of mask_picture_names
+    std::string picture_format;         ///< the text of coding_asked; empty: by the output
     std::string packing;                ///< a word of Packing; empty: by the output's extension
     std::string normal_y = "+";         ///< the side of a normal map's green: + up, - down
     std::string kernel = "auto";  ///< a name of kernel_names, forward_kernel or reference_kernel
@@ -45,10 +47,12 @@ struct BakeCommand {
     std::string atlas_per = "scene";      ///< scene, mesh or material
     std::optional<std::uint32_t> uv_set;  ///< the set for the atlas's texture coordinates
     bool strict = false;                  ///< whether what an output cannot keep is an error
+    bool udim = false;                    ///< whether each UDIM tile gets an image of its own
     bool json = false, quiet = false;     ///< print the JSON report, or nothing, on stdout
     bool force = false;                   ///< bake even if the outputs are up to date
 
-    int bits() const { return depth.value_or(8); }
+    /// Bits of pictures that are no .exr.
+    int bits() const { return std::min(depth.value_or(8), 16); }
     /// The mesh at rest, split as --displace says. Throws Error as MeshOptions::load and
     /// subdivided() do.
     Mesh load_mesh() const { return subdivided(meshes.load(mesh), displace.value_or(0)); }

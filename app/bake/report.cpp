@@ -101,8 +101,9 @@ void print_summary(const Json& report, const std::vector<std::string>& paths) {
     print_line(fmt::format(
         "{}: {} triangles, {} atlas {} x {}, coverage {:.1f} %, relative scale {:.2f}, {:.2f} s",
         name, report["mesh"]["triangles"].get<std::uint64_t>(), atlas["kind"].get<std::string>(),
-        atlas["size"].get<int>(), atlas["size"].get<int>(), 100.0 * atlas["coverage"].get<double>(),
-        atlas["relative_scale"].get<double>(), report["seconds"]["total"].get<double>()));
+        atlas["width"].get<int>(), atlas["height"].get<int>(),
+        100.0 * atlas["coverage"].get<double>(), atlas["relative_scale"].get<double>(),
+        report["seconds"]["total"].get<double>()));
     if (report.contains("compressed")) print_compressed(report["compressed"]);
 }
 

@@ -62,18 +62,22 @@ double stage_seconds(const Pipeline& pipeline) {
     return sum;
 }
 
-AtomicFile write_texture(Pipeline& pipeline, const std::string& path, const LevelsAsked& levels) {
+AtomicFile write_texture(Pipeline& pipeline, const std::string& path, const LevelsAsked& levels,
+                         ExrDepth depth) {
     const std::size_t size = pipeline.recipe().atlas.size;
     const auto rows_to = [](const RowSink& sink) {
         return [&sink](std::size_t, const Image<RgbF>& rows) { sink(rows); };
     };
     if (levels.count == 0)
-        return write_exr_rows(path, size, size, [&](const RowSink& sink) {
-            pipeline.synthesize_in_bands(rows_to(sink));
-        });
-    return write_exr_levels(path, size, size, [&](const RowSink& sink) {
-        return pipeline.levels_in_bands(levels.count, levels.rule, rows_to(sink));
-    });
+        return write_exr_rows(
+            path, size, size,
+            [&](const RowSink& sink) { pipeline.synthesize_in_bands(rows_to(sink)); }, depth);
+    return write_exr_levels(
+        path, size, size,
+        [&](const RowSink& sink) {
+            return pipeline.levels_in_bands(levels.count, levels.rule, rows_to(sink));
+        },
+        depth);
 }
 
 }  // namespace
@@ -156,8 +160,9 @@ void add_levels(NormalMap& map, const std::vector<Image<RgbF>>& levels) {
     }
 }
 
-void encode_normals(const NormalMap& map, const ByteSink& sink) {
-    std::visit([&](const auto& image) { encode_png(image, sink, PngContent::data); }, map.image);
+void encode_normals(const NormalMap& map, const PictureCoding& coding, const ByteSink& sink) {
+    std::visit([&](const auto& image) { encode_picture(image, sink, coding, PngContent::data); },
+               map.image);
 }
 
 void turn_green(NormalMap& map) {
@@ -189,17 +194,15 @@ bool comes_in_bands(Pipeline& pipeline, const LevelsAsked& levels) {
 }
 
 BandsWritten write_exr_in_bands(Pipeline& pipeline, const std::string& path,
-                                const LevelsAsked& asked, const NormalMap* normals) {
+                                const LevelsAsked& asked, ExrDepth depth) {
     const LevelsAsked levels =
         asked.count > 0 ? levels_there_are(pipeline, asked, ImageKind::rgb_float) : asked;
     pipeline.solid();
     const auto start = std::chrono::steady_clock::now();
     const double before = stage_seconds(pipeline);
-    std::vector<AtomicFile> files;
-    if (normals) encode_normals(*normals, sink_of(files.emplace_back(normal_map_path(path))));
-    files.push_back(write_texture(pipeline, path, levels));
+    AtomicFile file = write_texture(pipeline, path, levels, depth);
     const double stages = stage_seconds(pipeline) - before;
-    return {levels.count, std::move(files), seconds_since(start) - stages};
+    return {levels.count, std::move(file), seconds_since(start) - stages};
 }
 
 }  // namespace burl

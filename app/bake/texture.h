@@ -57,7 +57,7 @@ std::optional<NormalMap> bake_normals(Pipeline& pipeline, NormalSpace space, int
 void add_levels(NormalMap& map, const std::vector<Image<RgbF>>& levels);
 
 /// Writes level 0 of the map as a PNG file.
-void encode_normals(const NormalMap& map, const ByteSink& sink);
+void encode_normals(const NormalMap& map, const PictureCoding& coding, const ByteSink& sink);
 
 /// Turns the normals' second component round, for programs whose textures' second axis points up.
 void turn_green(NormalMap& map);
@@ -78,18 +78,17 @@ BakedAtlas compressed_bake(const Atlas& atlas, BakedImage image,
 /// Whether the texture and `levels` can be made without the whole float texture in memory.
 bool comes_in_bands(Pipeline& pipeline, const LevelsAsked& levels);
 
-/// The files of an .exr written in bands.
+/// An .exr written in bands.
 struct BandsWritten {
-    std::size_t levels = 0;           ///< number of MIP levels in the file
-    std::vector<AtomicFile> files{};  ///< files that are still to be committed
-    double seconds = 0.0;             ///< time spent on files, without the pipeline's stages
+    std::size_t levels = 0;  ///< number of MIP levels in the file
+    AtomicFile file;         ///< still to be committed
+    double seconds = 0.0;    ///< time spent on the file, without the pipeline's stages
 };
 
 /// Writes the texture of the pipeline's recipe with its levels to `path`, an .exr, in bands of rows
-/// while they are synthesised: a whole texture of 16384 x 16384 texels would take 3 GB. If
-/// `normals` is not null, the normal map is written beside it. comes_in_bands must hold. Throws
-/// Error(io).
+/// while they are synthesised: a whole texture of 16384 x 16384 texels would take 3 GB.
+/// comes_in_bands must hold. Throws Error(io).
 BandsWritten write_exr_in_bands(Pipeline& pipeline, const std::string& path,
-                                const LevelsAsked& levels, const NormalMap* normals);
+                                const LevelsAsked& levels, ExrDepth depth = ExrDepth::half);
 
 }  // namespace burl

@@ -48,7 +48,11 @@ constexpr std::array suites{
     Suite{"resynthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},
     Suite{"stability", "--json --simd --thorough --case"},
     Suite{"synthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},
+    Suite{"uv", "--json", "texels a side", 16, 4096, "512"},
 };
+
+/// The suites that take a mesh file.
+constexpr std::array<std::string_view, 4> with_files{"synthesis", "resynthesis", "levels", "uv"};
 
 bool has_word(std::string_view words, std::string_view word) {
     return fmt::format(" {} ", words).find(fmt::format(" {} ", word)) != std::string::npos;
@@ -81,12 +85,10 @@ void check_size(const Suite& suite, std::size_t size) {
 }
 
 void check_files(const BenchCommand& command) {
-    const bool takes_mesh =
-        command.suite == "synthesis" || command.suite == "resynthesis" || command.suite == "levels";
+    const bool takes_mesh = std::ranges::find(with_files, command.suite) != with_files.end();
     if (!takes_mesh && !command.file.empty())
-        throw Error(ExitCode::usage,
-                    fmt::format("bench {}: only synthesis, resynthesis and levels take a file, {}",
-                                command.suite, command.file));
+        throw Error(ExitCode::usage, fmt::format("bench {}: only {} take a file, {}", command.suite,
+                                                 fmt::join(with_files, ", "), command.file));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Textures alone, and the selection of a writer by extension.
 #include "app/export/export.h"
 
-#include <array>
 #include <filesystem>
 #include <string_view>
 
@@ -16,32 +15,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Format { glb, gltf, obj, ply, stl, png, exr };
+enum class Format { glb, gltf, obj, ply, stl, picture, exr };
 
-struct FormatFiles {
-    Format format;
-    std::string_view extension;
-    std::array<const char*, 2> beside;  // extensions of further files, or null
-};
-
-constexpr std::array<FormatFiles, 7> formats{{{Format::glb, ".glb", {}},
-                                              {Format::gltf, ".gltf", {".bin", ".png"}},
-                                              {Format::obj, ".obj", {".mtl", ".png"}},
-                                              {Format::ply, ".ply", {".png"}},
-                                              {Format::stl, ".stl", {}},
-                                              {Format::png, ".png", {}},
-                                              {Format::exr, ".exr", {}}}};
-
-const FormatFiles& format_of(const std::string& path) {
+Format format_of(const std::string& path) {
     const std::string extension = lower_extension(path);
-    for (const FormatFiles& f : formats) {
-        if (f.extension == extension) return f;
-    }
+    if (texture_format_of(path)) return Format::picture;
+    if (extension == ".glb") return Format::glb;
+    if (extension == ".gltf") return Format::gltf;
+    if (extension == ".obj") return Format::obj;
+    if (extension == ".ply") return Format::ply;
+    if (extension == ".stl") return Format::stl;
+    if (extension == ".exr") return Format::exr;
     const std::string what = extension.empty()
                                  ? "has no extension"
                                  : fmt::format("has the unknown extension '{}'", extension);
     throw Error(ExitCode::usage,
-                fmt::format("{}: the output {}; use .glb, .gltf, .obj, .ply, .stl, .png or .exr",
+                fmt::format("{}: the output {}; use .glb, .gltf, .obj, .ply, .stl, .png, .jpg, "
+                            ".webp, .ktx2 or .exr",
                             path, what));
 }
 
@@ -50,8 +40,9 @@ AtomicFile write_exr_file(const SceneContent& content) {
     std::vector<const Image<RgbF>*> levels{&std::get<Image<RgbF>>(content.image)};
     for (const BakedImage& level : content.options.levels)
         levels.push_back(&std::get<Image<RgbF>>(level));
-    if (levels.size() > 1) return write_exr_levels(content.path, levels);
-    return write_exr(content.path, *levels[0]);
+    const ExrDepth depth = content.options.exr_depth;
+    if (levels.size() > 1) return write_exr_levels(content.path, levels, depth);
+    return write_exr(content.path, *levels[0], depth);
 }
 
 template <class Pixel>
@@ -59,12 +50,38 @@ constexpr bool is_coded = !std::is_same_v<Pixel, RgbF> && !std::is_same_v<Pixel,
 
 /// Encodes an image of 8 or 16 bits of a variant, which it refers to.
 template <class Images>
-std::function<void(const ByteSink&)> encoder(const Images& images, PngContent content) {
-    return [&images, content](const ByteSink& sink) {
+std::function<void(const ByteSink&)> encoder(const Images& images, const PictureCoding& coding,
+                                             PngContent content) {
+    return [&images, coding, content](const ByteSink& sink) {
         const auto encode = [&]<class Pixel>(const Image<Pixel>& image) {
-            if constexpr (is_coded<Pixel>) encode_png(image, sink, content);
+            if constexpr (is_coded<Pixel>) encode_picture(image, sink, coding, content);
         };
         std::visit(encode, images);
+    };
+}
+
+/// The codes of an image of 8 bits. Throws Error(unsupported) for another one.
+template <class Images>
+CodeRaster eight_bits(const Images& images) {
+    const auto raster = [&]<class Pixel>(const Image<Pixel>& image) -> CodeRaster {
+        if constexpr (sizeof(Pixel) <= 4 && !std::is_same_v<Pixel, Grey16>)
+            return codes_of(image);
+        else
+            throw Error(ExitCode::unsupported, "a .ktx2 has no 16 bits; write a .png");
+    };
+    return std::visit(raster, images);
+}
+
+/// Encodes a texture with its levels, which it refers to, as one KTX2 file.
+template <class Images>
+std::function<void(const ByteSink&)> levels_encoder(const Images& image,
+                                                    const std::vector<Images>& levels,
+                                                    const PictureCoding& coding,
+                                                    PngContent content) {
+    return [&image, &levels, coding, content](const ByteSink& sink) {
+        std::vector<CodeRaster> rasters{eight_bits(image)};
+        for (const Images& level : levels) rasters.push_back(eight_bits(level));
+        encode_ktx2(rasters, sink, coding.quality.value_or(ktx2_level), content);
     };
 }
 
@@ -72,12 +89,14 @@ std::function<void(const ByteSink&)> encoder(const Images& images, PngContent co
 template <class Images>
 std::vector<SceneImage> texture_of(const std::string& name, const std::string& path,
                                    const Images& image, const std::vector<Images>& levels,
-                                   PngContent content) {
-    std::vector<SceneImage> texture{{name, path, encoder(image, content)}};
+                                   const PictureCoding& coding, PngContent content) {
+    if (coding.format == TextureFormat::ktx2)
+        return {{name, path, levels_encoder(image, levels, coding, content)}};
+    std::vector<SceneImage> texture{{name, path, encoder(image, coding, content)}};
     for (std::size_t l = 1; l <= levels.size(); ++l)
         texture.push_back({fmt::format("{} level {}", name, l),
-                           fs::path(path).replace_extension(level_extension(l)).string(),
-                           encoder(levels[l - 1], content)});
+                           path_beside(path, level_extension(l, coding.format)),
+                           encoder(levels[l - 1], coding, content)});
     return texture;
 }
 
@@ -90,14 +109,42 @@ std::string material_name(const SceneContent& content) {
     return mesh + ' ' + recipe;
 }
 
-std::string picture_path(const std::string& out_path, const std::string& name) {
-    const fs::path path(out_path);
-    return (path.parent_path() / (path.stem().string() + "_" + name + ".png")).string();
+std::string path_beside(const std::string& out_path, std::string_view extension) {
+    return fs::path(out_path).replace_extension(extension).string();
 }
 
-void encode_png(const NormalMap& normals, const ByteSink& sink) {
-    std::visit([&](const auto& image) { encode_png(image, sink, PngContent::data); },
-               normals.image);
+std::string picture_path(const std::string& out_path, const std::string& name,
+                         TextureFormat format) {
+    const fs::path path(out_path);
+    const std::string file =
+        fmt::format("{}_{}{}", path.stem().string(), name, extension_of(format));
+    return (path.parent_path() / file).string();
+}
+
+std::string level_extension(std::size_t level, TextureFormat format) {
+    return fmt::format(".{}{}", level, extension_of(format));
+}
+
+std::string normal_map_path(const std::string& out_path, TextureFormat format) {
+    return picture_path(out_path, "normal", format);
+}
+
+PictureCoding coding_asked(const std::string& text, const std::string& out_path) {
+    const std::optional<TextureFormat> own = texture_format_of(out_path);
+    const PictureCoding coding =
+        text.empty() ? PictureCoding{own.value_or(TextureFormat::png), {}} : coding_named(text);
+    const auto refuse = [&](const std::string& why) {
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --picture-format {}: {}", out_path, text, why));
+    };
+    if (own && *own != coding.format)
+        refuse(fmt::format("the output's extension says {}; leave one of the two out",
+                           to_string(*own)));
+    if (coding.format == TextureFormat::ktx2 && is_gltf(out_path))
+        refuse(
+            "glTF takes KTX2 only with Basis Universal's compression, which Burl does not "
+            "write; use webp, or write the .ktx2 as an output of its own");
+    return coding;
 }
 
 std::vector<std::vector<SceneImage>> scene_textures(const SceneContent& content,
@@ -105,15 +152,18 @@ std::vector<std::vector<SceneImage>> scene_textures(const SceneContent& content,
     const std::string name = material_name(content);
     const ExportOptions& options = content.options;
     if (!options.vertex_colors.empty()) return {};
+    const PictureCoding& coding = options.coding;
     std::vector<std::vector<SceneImage>> textures{
-        texture_of(name, color, content.image, options.levels, PngContent::color)};
+        texture_of(name, color, content.image, options.levels, coding, PngContent::color)};
     if (const auto& normals = options.normals)
-        textures.push_back(texture_of(name + " normals", normal_map_path(content.path),
-                                      normals->image, normals->levels, PngContent::data));
+        textures.push_back(texture_of(name + " normals",
+                                      normal_map_path(content.path, coding.format), normals->image,
+                                      normals->levels, coding, PngContent::data));
     for (const ExportPicture& picture : options.pictures)
-        textures.push_back(texture_of(
-            name + ' ' + picture.name, picture_path(content.path, picture.name), picture.image,
-            picture.levels, picture.is_color ? PngContent::color : PngContent::data));
+        textures.push_back(texture_of(name + ' ' + picture.name,
+                                      picture_path(content.path, picture.name, coding.format),
+                                      picture.image, picture.levels, coding,
+                                      picture.is_color ? PngContent::color : PngContent::data));
     return textures;
 }
 
@@ -126,29 +176,34 @@ void add_images(std::vector<AtomicFile>& files, const SceneContent& content,
 
 std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels,
                                       bool normals, const std::vector<std::string>& pictures,
-                                      bool normal_levels) {
+                                      bool normal_levels, TextureFormat asked) {
+    const Format out = format_of(out_path);
+    const TextureFormat format = texture_format_of(out_path).value_or(asked);
     std::vector<std::string> paths{out_path};
-    for (const char* extension : format_of(out_path).beside) {
-        if (!extension) continue;
-        paths.push_back(fs::path(out_path).replace_extension(extension).string());
-    }
-    const Format format = format_of(out_path).format;
-    if (format == Format::stl) return paths;
-    if (format == Format::glb || format == Format::exr) levels = 0;
-    const auto add_levels = [&](const std::string path) {
+    const auto beside = [&](std::string_view extension) {
+        paths.push_back(path_beside(out_path, extension));
+    };
+    if (out == Format::stl) return paths;
+    if (out == Format::gltf) beside(".bin");
+    if (out == Format::obj) beside(".mtl");
+    if (out == Format::gltf || out == Format::obj || out == Format::ply)
+        beside(extension_of(format));
+    const bool holds_levels = out == Format::glb || out == Format::exr;
+    if (holds_levels || format == TextureFormat::ktx2) levels = 0;
+    const auto add_levels = [&](const std::string& path) {
         for (std::uint32_t l = 1; l <= levels; ++l)
-            paths.push_back(fs::path(path).replace_extension(level_extension(l)).string());
+            paths.push_back(path_beside(path, level_extension(l, format)));
     };
     add_levels(out_path);
-    if (format == Format::glb) return paths;
+    if (out == Format::glb) return paths;
     if (normals) {
-        paths.push_back(normal_map_path(out_path));
-        if (normal_levels) add_levels(paths.back());
+        paths.push_back(normal_map_path(out_path, format));
+        if (normal_levels) add_levels(std::string(paths.back()));
     }
-    if (format == Format::exr) return paths;
+    if (out == Format::exr) return paths;
     for (const std::string& name : pictures) {
-        paths.push_back(picture_path(out_path, name));
-        add_levels(paths.back());
+        paths.push_back(picture_path(out_path, name, format));
+        add_levels(std::string(paths.back()));
     }
     return paths;
 }
@@ -156,23 +211,27 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
 std::vector<std::string> paths_without_texture(const std::string& out_path) {
     std::vector<std::string> paths = output_paths(out_path);
     std::erase_if(paths, [&](const std::string& path) {
-        return path != out_path && lower_extension(path) == ".png";
+        return path != out_path && texture_format_of(path);
     });
     return paths;
 }
 
 bool holds_mesh(const std::string& out_path) {
-    const Format format = format_of(out_path).format;
-    return format != Format::png && format != Format::exr;
+    const Format format = format_of(out_path);
+    return format != Format::picture && format != Format::exr;
+}
+
+bool is_obj(const std::string& out_path) {
+    return format_of(out_path) == Format::obj;
 }
 
 bool is_gltf(const std::string& out_path) {
-    const Format format = format_of(out_path).format;
+    const Format format = format_of(out_path);
     return format == Format::glb || format == Format::gltf;
 }
 
 bool holds_colors(const std::string& out_path) {
-    return holds_mesh(out_path) && format_of(out_path).format != Format::stl;
+    return holds_mesh(out_path) && format_of(out_path) != Format::stl;
 }
 
 bool is_obj(const std::string& out_path) {
@@ -180,7 +239,7 @@ bool is_obj(const std::string& out_path) {
 }
 
 ImageKind wanted_kind(const std::string& out_path, int depth) {
-    if (format_of(out_path).format == Format::exr) return ImageKind::rgb_float;
+    if (format_of(out_path) == Format::exr) return ImageKind::rgb_float;
     return depth == 16 ? ImageKind::rgb16 : ImageKind::rgb8;
 }
 
@@ -188,19 +247,19 @@ std::vector<AtomicFile> scene_files(const std::string& out_path, const Mesh& mes
                                     const Atlas& atlas, const BakedImage& image,
                                     const ExportOptions& options) {
     const SceneContent content{out_path, mesh, atlas, image, options};
-    const Format format = format_of(out_path).format;
+    const Format format = format_of(out_path);
     if (format == Format::gltf) return write_gltf(content);
     if (format == Format::obj) return write_obj(content);
     if (format == Format::ply) return write_ply(content);
     std::vector<AtomicFile> files;
     if (format == Format::stl) {
         files.push_back(write_stl(content));
-    } else if (format == Format::png) {
+    } else if (format == Format::picture) {
         add_images(files, content, out_path);
     } else if (format == Format::exr) {
         if (const auto& normals = content.options.normals)
-            encoder(normals->image,
-                    PngContent::data)(sink_of(files.emplace_back(normal_map_path(content.path))));
+            encoder(normals->image, options.coding, PngContent::data)(
+                sink_of(files.emplace_back(normal_map_path(content.path, options.coding.format))));
         files.push_back(write_exr_file(content));
     } else {
         files.push_back(write_glb(content));

@@ -10,7 +10,10 @@
 
 #include "app/base/atomic_file.h"
 #include "app/image/convert_image.h"
+#include "app/image/exr_io.h"
+#include "app/image/picture_coding.h"
 #include "app/recipe/material.h"
+#include "app/recipe/recipe.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/read/obj_source.h"
 #include "atlas/read/pose.h"
@@ -68,9 +71,12 @@ struct ExportOptions {
     /// The material's numbers, which are factors of what its pictures show.
     Material material{};
     std::vector<ExportPicture> pictures{};
+    PictureCoding coding{};               ///< of pictures in and beside the output (coding_asked)
+    ExrDepth exr_depth = ExrDepth::half;  ///< of an .exr
     /// The pose becomes a morph target in .glb and .gltf; .obj is written as posed. Images are
     /// those of the mesh at rest.
     std::optional<ExportPose> pose{};
+    KeyTrack pose_keys{};  ///< the pose's weight over time; without keys it stays
     /// The OBJ that the mesh was read from, of which an .obj keeps all that is not changed; null:
     /// an .obj has the mesh's triangles alone.
     std::shared_ptr<const KeptObj> obj{};
@@ -82,15 +88,28 @@ struct ExportOptions {
 };
 
 /// All files that scene_files writes, `out_path` first: "a.obj" gives a.obj, a.mtl and a.png, and
-/// with MIP levels a.1.png, a.2.png, ...; .glb and .exr contain their levels. Normals add
+/// with MIP levels a.1.png, a.2.png, ...; .glb, .exr and .ktx2 contain their levels. Normals add
 /// a_normal.png and a picture "orm" a_orm.png, with levels of its own, except for .glb;
-/// `normal_levels` says whether the normals have levels, too. Throws
-/// Error(usage) unless the extension is one of .glb, .gltf, .obj, .ply, .stl, .png, .exr (any
-/// case), listing them.
+/// `normal_levels` says whether the normals have levels, too. `format` is that of pictures where
+/// the output is none itself. Throws Error(usage) unless the extension is one of .glb, .gltf, .obj,
+/// .ply, .stl, .png, .jpg, .jpeg, .webp, .ktx2, .exr (any case), listing them.
 std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels = 0,
                                       bool normals = false,
                                       const std::vector<std::string>& pictures = {},
-                                      bool normal_levels = false);
+                                      bool normal_levels = false,
+                                      TextureFormat format = TextureFormat::png);
+
+/// The coding of an output's pictures, asked for by the text of --picture-format; empty: by the
+/// output's extension, else PNG. Throws Error(usage) for a wrong text, for another format than that
+/// of the output's extension, and for KTX2 in glTF.
+PictureCoding coding_asked(const std::string& text, const std::string& out_path);
+
+/// The extension that replaces a texture's own for the picture of its MIP level `level` >= 1:
+/// ".1.png".
+std::string level_extension(std::size_t level, TextureFormat format = TextureFormat::png);
+
+/// The path of the normal map beside an output file of any kind: "a_normal.png" for "a.obj".
+std::string normal_map_path(const std::string& out_path, TextureFormat format = TextureFormat::png);
 
 /// All files that scene_files writes of a scene with vertex colours.
 std::vector<std::string> paths_without_texture(const std::string& out_path);
@@ -98,6 +117,8 @@ std::vector<std::string> paths_without_texture(const std::string& out_path);
 /// Whether the format is .glb or .gltf, whose materials take normal maps in tangent space only.
 /// Throws Error(usage) for an unknown extension.
 bool is_gltf(const std::string& out_path);
+/// Whether the format is .obj. Throws Error(usage) for an unknown extension.
+bool is_obj(const std::string& out_path);
 
 /// Whether the format is .obj. Throws Error(usage) for an unknown extension.
 bool is_obj(const std::string& out_path);

@@ -26,18 +26,23 @@ std::string material_name(const SceneContent& content);
 struct SceneImage {
     std::string name;                               ///< "teapot marble level 1"
     std::string path;                               ///< of its file, where it has one of its own
-    std::function<void(const ByteSink&)> encode{};  ///< writes it as a PNG file
+    std::function<void(const ByteSink&)> encode{};  ///< writes it as a picture file
 };
 
 /// The path of a picture beside an output: "a_orm.png" for "a.obj".
-std::string picture_path(const std::string& out_path, const std::string& name);
+std::string picture_path(const std::string& out_path, const std::string& name,
+                         TextureFormat format = TextureFormat::png);
+
+/// The path of a file beside an output, of another extension (with its dot).
+std::string path_beside(const std::string& out_path, std::string_view extension);
 
 /// The textures of a scene, each with its MIP levels: the base colour, whose file is `color`, the
-/// normal map, if any, and the material's pictures. They refer to the content.
+/// normal map, if any, and the material's pictures. They refer to the content. A KTX2 holds all
+/// levels of its texture and is one image.
 std::vector<std::vector<SceneImage>> scene_textures(const SceneContent& content,
                                                     const std::string& color);
 
-/// Adds the PNG files of all textures; the base colour's is `color`.
+/// Adds the picture files of all textures; the base colour's is `color`.
 void add_images(std::vector<AtomicFile>& files, const SceneContent& content,
                 const std::string& color);
 

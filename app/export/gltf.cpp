@@ -82,7 +82,7 @@ AtomicFile write_glb(const SceneContent& content) {
     for (const SceneImage& image : images) {
         scene.json["images"].push_back({{"name", image.name},
                                         {"bufferView", scene.json["bufferViews"].size()},
-                                        {"mimeType", "image/png"}});
+                                        {"mimeType", media_type(content.options.coding.format)}});
         scene.json["bufferViews"].push_back(
             {{"buffer", 0}, {"byteOffset", most_glb_bytes}, {"byteLength", most_glb_bytes}});
     }
@@ -102,19 +102,21 @@ AtomicFile write_glb(const SceneContent& content) {
 std::vector<AtomicFile> write_gltf(const SceneContent& content) {
     const std::vector<PartVertices> vertices = vertices_of(content);
     GltfScene scene = build_gltf_scene(content, vertices);
-    const auto beside = [&](const std::string& extension) {
-        return std::filesystem::path(content.path).replace_extension(extension).string();
+    const auto beside = [&](std::string_view extension) {
+        return path_beside(content.path, extension);
     };
-    for (const std::vector<SceneImage>& texture : scene_textures(content, beside(".png")))
+    const TextureFormat format = content.options.coding.format;
+    const std::string color = beside(extension_of(format));
+    for (const std::vector<SceneImage>& texture : scene_textures(content, color))
         for (const SceneImage& image : texture)
             scene.json["images"].push_back({{"name", image.name},
                                             {"uri", relative_uri(image.path)},
-                                            {"mimeType", "image/png"}});
+                                            {"mimeType", media_type(format)}});
     const std::string buffer = beside(".bin");
     scene.json["buffers"] =
         Json::array({{{"uri", relative_uri(buffer)}, {"byteLength", scene.binary_size}}});
     std::vector<AtomicFile> files;
-    add_images(files, content, beside(".png"));
+    add_images(files, content, color);
     write_meshes(files.emplace_back(buffer), scene);
     files.emplace_back(content.path).write(gltf_text(scene.json, 2) + "\n");
     return files;

@@ -77,10 +77,12 @@ Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
 }
 
 Json gltf_textures(const SceneContent& content, const GltfPlaces& places) {
+    const bool webp = content.options.coding.format == TextureFormat::webp;
     Json result = Json::array();
     std::size_t image = places.images;
     for (const std::vector<SceneImage>& texture : scene_textures(content, "")) {
-        Json json{{"sampler", places.sampler}, {"source", image}};
+        Json json{{"sampler", places.sampler}};
+        (webp ? json["extensions"][webp_extension] : json)["source"] = image;
         for (std::size_t l = 1; l < texture.size(); ++l)
             json["extras"]["burl_levels"].push_back(image + l);
         image += texture.size();
@@ -94,6 +96,10 @@ void add_material(Json& document, const SceneContent& content) {
     if (one.contains("extensions"))
         for (const auto& item : one["extensions"].items())
             document["extensionsUsed"].push_back(item.key());
+    if (content.options.coding.format == TextureFormat::webp) {
+        document["extensionsUsed"].push_back(webp_extension);
+        document["extensionsRequired"].push_back(webp_extension);
+    }
     document["materials"] = Json::array({std::move(one)});
     if (content.options.vertex_colors.empty()) document["textures"] = gltf_textures(content, {});
 }

@@ -44,12 +44,13 @@ std::size_t append(Json& array, Json value) {
 }
 
 /// Appends an accessor with a bufferView of its own at the end of the buffer; returns its index.
-std::size_t add_accessor(GltfScene& scene, std::span<const std::uint8_t> bytes, Gl target,
-                         Gl component, std::size_t count, const char* type) {
-    const std::size_t view = append(scene.json["bufferViews"], {{"buffer", 0},
-                                                                {"byteOffset", scene.binary_size},
-                                                                {"byteLength", bytes.size()},
-                                                                {"target", int(target)}});
+std::size_t add_accessor(GltfScene& scene, std::span<const std::uint8_t> bytes,
+                         std::optional<Gl> target, Gl component, std::size_t count,
+                         const char* type) {
+    const std::size_t view =
+        append(scene.json["bufferViews"],
+               {{"buffer", 0}, {"byteOffset", scene.binary_size}, {"byteLength", bytes.size()}});
+    if (target) scene.json["bufferViews"][view]["target"] = int(*target);
     scene.binary.push_back(bytes);
     scene.binary_size += bytes.size() + padding_after(bytes.size()).size();
     return append(scene.json["accessors"], {{"bufferView", view},
@@ -154,6 +155,36 @@ Json add_target(GltfScene& scene, const VertexTarget& target) {
     return ids;
 }
 
+/// Adds an animation of the pose's weight, with a channel per node. A smooth track is a cubic one
+/// with tangents of 0.
+void add_animation(GltfScene& scene, const KeyTrack& track) {
+    const bool cubic = track.ease == KeyEase::smooth;
+    std::vector<float>&times = scene.key_times, &values = scene.key_values;
+    for (const KeyPoint& key : track.keys) {
+        times.push_back(float(key.seconds));
+        if (cubic) values.push_back(0.0f);
+        values.push_back(float(key.value));
+        if (cubic) values.push_back(0.0f);
+    }
+    const auto add = [&](const std::vector<float>& numbers) {
+        return add_accessor(scene, as_bytes(numbers), std::nullopt, gl_float, numbers.size(),
+                            "SCALAR");
+    };
+    const std::size_t input = add(times), output = add(values);
+    scene.json["accessors"][input]["min"] = {times.front()};
+    scene.json["accessors"][input]["max"] = {times.back()};
+    Json animation{
+        {"name", "pose"},
+        {"channels", Json::array()},
+        {"samplers", Json::array({{{"input", input},
+                                   {"output", output},
+                                   {"interpolation", cubic ? "CUBICSPLINE" : "LINEAR"}}})}};
+    for (std::size_t node = 0; node < scene.json["nodes"].size(); ++node)
+        animation["channels"].push_back(
+            {{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}});
+    scene.json["animations"] = Json::array({std::move(animation)});
+}
+
 PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
     PrimitiveIds ids;
     ids.position = add_positions(scene, v.positions);
@@ -216,7 +247,8 @@ void add_part(GltfScene& scene, const SceneContent& content, const PartVertices&
 
 TextureFilter baked_filter(const AtlasOptions& atlas) {
     if (atlas.overscan == Overscan::nearest) return TextureFilter::nearest;
-    return atlas.kind == AtlasKind::patch ? TextureFilter::mip : TextureFilter::linear;
+    const bool plain = atlas.kind == AtlasKind::patch || atlas.kind == AtlasKind::uv;
+    return plain ? TextureFilter::mip : TextureFilter::linear;
 }
 
 nlohmann::ordered_json gltf_sampler(const AtlasOptions& atlas) {
@@ -259,6 +291,8 @@ GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVert
     }
     UniqueNames names;
     for (const PartVertices& part : vertices) add_part(scene, content, part, names);
+    if (content.options.pose && !content.options.pose_keys.keys.empty())
+        add_animation(scene, content.options.pose_keys);
     add_material(scene.json, content);
     if (content.options.vertex_colors.empty())
         scene.json["samplers"] = Json::array({gltf_sampler(content.atlas.options)});

@@ -19,10 +19,11 @@ struct GltfScene {
     /// bytes.
     std::vector<std::span<const std::uint8_t>> binary;
     std::uint64_t binary_size = 0;  ///< the buffer's length in bytes, padding included
-    /// The arrays in `binary` that the content does not own: copies in placements, and 16-bit
-    /// indices.
+    /// The arrays in `binary` that the content does not own: copies in placements, 16-bit
+    /// indices, and keys.
     std::deque<PartVertices> placed;
     std::deque<std::vector<std::uint16_t>> narrow_indices;
+    std::vector<float> key_times, key_values;  ///< of the pose's weight
 };
 
 /// The sampler's filter for a texture baked on such an atlas. Only patch atlases have so few chart

@@ -115,19 +115,40 @@ ObjText obj_text(const SceneContent& content, const Mesh& mesh, std::span<const 
     return text;
 }
 
+/// The lines that viewers without MTL's extension read, in the measures of Blender's own exporter:
+/// the specular level, half of which is its 1, and an exponent of 1000 (1 - roughness)^2. Blender's
+/// importers take `Ks 0` for no reflection, and a missing `Ns` for roughness 1. The exponent is at
+/// least 10, since Phong's highlight of exponent 0 covers everything.
+std::string mtl_highlight(const Material& material) {
+    const double level = 0.5 * material.specular, smooth = 1.0 - material.roughness;
+    return fmt::format("Ks {0:.4g} {0:.4g} {0:.4g}\nNs {1:.4g}\nillum 2\n", level,
+                       std::max(10.0, 1000.0 * smooth * smooth));
+}
+
+/// The lines of a normal map: `norm`, and `map_Bump`, which Blender takes for a normal map of the
+/// strength that -bm says. Godot reads map_bump, in small letters only, and no options.
+std::string mtl_normals(const SceneContent& content) {
+    const auto& normals = content.options.normals;
+    if (!normals || !normals->tangent_space) return "";
+    const std::string file =
+        file_name(normal_map_path(content.path, content.options.coding.format));
+    return fmt::format("norm {0}\nmap_Bump -bm 1 {0}\n", file);
+}
+
 /// The lines of the material besides its base colour and normals, by the extension of MTL for
 /// physically based rendering that Blender, Clara.io and Assimp read; none for a material without
 /// anything of its own.
 std::string mtl_material(const SceneContent& content) {
     const Material& m = content.options.material;
     const auto& pictures = content.options.pictures;
+    const TextureFormat format = content.options.coding.format;
     std::string text;
     const auto packed = std::ranges::find_if(pictures, [](const ExportPicture& picture) {
         return picture.name == "orm" || picture.name == "mask";
     });
     if (packed != pictures.end())
         text += fmt::format("# roughness and metallic: {}\n",
-                            file_name(picture_path(content.path, packed->name)));
+                            file_name(picture_path(content.path, packed->name, format)));
     else if (m != Material{} || !pictures.empty())
         text += fmt::format("Pr {}\nPm {}\n", m.roughness, m.metallic);
     if (m.clearcoat != 0.0)
@@ -145,11 +166,10 @@ std::string mtl_material(const SceneContent& content) {
         for (const auto& [name, line] : maps)
             if (picture.name == name)
                 text += fmt::format("{} {}\n", line,
-                                    file_name(picture_path(content.path, picture.name)));
+                                    file_name(picture_path(content.path, picture.name, format)));
     if (has_alpha(content.image))
-        text += fmt::format(
-            "map_d -imfchan m {}\n",
-            file_name(std::filesystem::path(content.path).replace_extension(".png").string()));
+        text += fmt::format("map_d -imfchan m {}\n",
+                            file_name(path_beside(content.path, extension_of(format))));
     return text;
 }
 
@@ -167,21 +187,18 @@ std::string obj_material_name(const SceneContent& content) {
 /// Writes the files of a mesh with these normals, one per triangle corner.
 std::vector<AtomicFile> write_files(const SceneContent& content, const Mesh& mesh,
                                     std::span<const Vec3f> normals) {
-    const auto beside = [&](const char* extension) {
-        return std::filesystem::path(content.path).replace_extension(extension);
-    };
-    const std::string texture = beside(".png").string(), library = beside(".mtl").string();
+    const std::string texture =
+        path_beside(content.path, extension_of(content.options.coding.format));
+    const std::string library = path_beside(content.path, ".mtl");
     const std::string name = obj_material_name(content);
     const ObjText text = content.options.obj
                              ? kept_obj_text(content, mesh, normals, file_name(library), name)
                              : obj_text(content, mesh, normals, file_name(library), name);
-    std::string material = fmt::format("newmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\n", name);
+    std::string material = fmt::format("newmtl {}\nKa 0 0 0\nKd 1 1 1\n{}", name,
+                                       mtl_highlight(content.options.material));
     if (content.options.vertex_colors.empty())
         material += fmt::format("map_Kd {}\n", file_name(texture));
-    const auto& bumps = content.options.normals;
-    if (bumps && bumps->tangent_space)
-        material += fmt::format("norm {}\n", file_name(normal_map_path(content.path)));
-    material += mtl_material(content);
+    material += mtl_normals(content) + mtl_material(content);
     std::vector<AtomicFile> files;
     add_images(files, content, texture);
     files.emplace_back(library).write(material);

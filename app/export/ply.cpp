@@ -36,6 +36,11 @@ bool are_floats(std::span<const Vec3d> points) {
     return std::ranges::all_of(points, [](const Vec3d& p) { return Vec3d(Vec3f(p)) == p; });
 }
 
+/// The path of the texture's file.
+std::string texture_path(const SceneContent& content) {
+    return path_beside(content.path, extension_of(content.options.coding.format));
+}
+
 /// A color as codes of sRGB, as Blender and MeshLab take colours of PLY to be.
 std::array<std::uint8_t, 4> codes_of(const Vec4f& color) {
     const auto code = [](double value) {
@@ -51,9 +56,8 @@ std::string header(const SceneContent& content, const PlacedTriangles& what, boo
     const char* const real = floats ? "float" : "double";
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment Burl " BURL_VERSION "\n";
     if (textured)
-        text += fmt::format(
-            "comment TextureFile {}\n",
-            std::filesystem::path(content.path).replace_extension(".png").filename().string());
+        text += fmt::format("comment TextureFile {}\n",
+                            std::filesystem::path(texture_path(content)).filename().string());
     text += fmt::format("element vertex {}\n", what.points.size());
     for (const char axis : {'x', 'y', 'z'}) text += fmt::format("property {} {}\n", real, axis);
     for (const char axis : {'x', 'y', 'z'}) text += fmt::format("property float n{}\n", axis);
@@ -104,8 +108,7 @@ std::vector<AtomicFile> write_ply(const SceneContent& content) {
     if (content.options.tell && (content.options.normals || !content.options.pictures.empty()))
         content.options.tell("a .ply names the picture of the base colour alone");
     std::vector<AtomicFile> files;
-    add_images(files, content,
-               std::filesystem::path(content.path).replace_extension(".png").string());
+    add_images(files, content, texture_path(content));
     files.emplace_back(content.path).write(out.text);
     return files;
 }

@@ -1,6 +1,5 @@
-// Animated PNG (W3C, "PNG Specification (Third Edition)", 2025, section 11.3.4): libpng encodes
-// every frame as a PNG of its own, whose data become chunks of one file. Debian's libpng has no
-// writer of them.
+// Animated PNG (W3C, "PNG Specification (Third Edition)", 2025, section 11.3.4): every
+// frame is encoded as a PNG of its own, whose data become chunks of one file.
 #include <span>
 #include <string_view>
 #include <utility>
@@ -15,7 +14,7 @@ namespace burl {
 
 namespace {
 
-constexpr int apng_level = 6;  // zlib's; these files are sent, not only kept
+constexpr int apng_level = 8;  // libdeflate's; these files are sent, not only kept
 constexpr std::size_t png_signature_size = 8, chunk_frame = 12;  // length, type and checksum
 
 using Bytes = std::vector<std::uint8_t>;
@@ -37,7 +36,7 @@ struct PngChunk {
     std::span<const std::uint8_t> whole;  ///< with length, type and checksum
 };
 
-/// Calls visit(chunk) for all chunks of a PNG that libpng has written.
+/// Calls visit(chunk) for all chunks of a PNG of encode_png().
 template <class Visit>
 void for_each_chunk(const Bytes& png, const Visit& visit) {
     for (std::span<const std::uint8_t> rest = std::span(png).subspan(png_signature_size);

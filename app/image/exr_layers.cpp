@@ -30,16 +30,21 @@ FloatRows rows_of(const FloatImage& any) {
         any);
 }
 
+Imf::PixelType type_of(ExrDepth depth) {
+    return depth == ExrDepth::full ? Imf::FLOAT : Imf::HALF;
+}
+
 std::string channel_name(const ExrLayer& layer, std::size_t component) {
     const std::string letter(1, layer.channels[component]);
     return layer.name.empty() ? letter : layer.name + "." + letter;
 }
 
-/// Rows of one level of all layers as a frame buffer of OpenEXR, converted to halves.
-class HalfLayers {
+/// Rows of one level of all layers as a frame buffer of OpenEXR: the floats themselves, or
+/// converted to halves.
+class LayerRows {
   public:
-    HalfLayers(std::span<const ExrLayer> layers, std::size_t level)
-        : layers_(layers), level_(level), halves_(layers.size()) {}
+    LayerRows(std::span<const ExrLayer> layers, std::size_t level, ExrDepth depth)
+        : layers_(layers), level_(level), depth_(depth), halves_(layers.size()) {}
 
     /// The frame buffer of rows [begin, end); valid until the next call.
     Imf::FrameBuffer rows(std::size_t begin, std::size_t end) {
@@ -54,18 +59,22 @@ class HalfLayers {
     void insert(Imf::FrameBuffer& frame, std::size_t l, std::size_t begin, std::size_t end) {
         const FloatRows image = rows_of(layers_[l].levels[level_]);
         const std::size_t per_row = image.width * image.components;
-        halves_[l].assign(image.values + begin * per_row, image.values + end * per_row);
-        const std::size_t step = image.components * sizeof(Imath::half),
-                          stride = step * image.width;
-        const auto base = reinterpret_cast<std::uintptr_t>(halves_[l].data()) - begin * stride;
-        for (std::size_t c = 0; c < image.components; ++c) {
-            auto* at = reinterpret_cast<char*>(base + c * sizeof(Imath::half));
-            frame.insert(channel_name(layers_[l], c), Imf::Slice(Imf::HALF, at, step, stride));
-        }
+        const bool full = depth_ == ExrDepth::full;
+        if (!full) halves_[l].assign(image.values + begin * per_row, image.values + end * per_row);
+        const std::size_t size = full ? sizeof(float) : sizeof(Imath::half);
+        const std::size_t stride = size * per_row;
+        const auto base =
+            full ? reinterpret_cast<std::uintptr_t>(image.values)
+                 : reinterpret_cast<std::uintptr_t>(halves_[l].data()) - begin * stride;
+        for (std::size_t c = 0; c < image.components; ++c)
+            frame.insert(channel_name(layers_[l], c),
+                         Imf::Slice(type_of(depth_), reinterpret_cast<char*>(base + c * size),
+                                    size * image.components, stride));
     }
 
     std::span<const ExrLayer> layers_;
     std::size_t level_;
+    ExrDepth depth_;
     std::vector<std::vector<Imath::half>> halves_;
 };
 
@@ -98,61 +107,63 @@ void check_names(const ExrLayer& layer, std::set<std::string>& names) {
             throw misuse(layer, "has channels of another one's names");
 }
 
-Imf::Header header_of(std::span<const ExrLayer> layers) {
+Imf::Header header_of(std::span<const ExrLayer> layers, ExrDepth depth) {
     const FloatRows whole = rows_of(layers[0].levels[0]);
     Imf::Header header(int(whole.width), int(whole.height));
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const ExrLayer& layer : layers)
         for (std::size_t c = 0; c < layer.channels.size(); ++c)
-            header.channels().insert(channel_name(layer, c), Imf::Channel(Imf::HALF));
+            header.channels().insert(channel_name(layer, c), Imf::Channel(type_of(depth)));
     return header;
 }
 
-void encode_lines(Imf::OStream& stream, std::span<const ExrLayer> layers) {
-    Imf::OutputFile file(stream, header_of(layers));
-    HalfLayers half(layers, 0);
+void encode_lines(Imf::OStream& stream, std::span<const ExrLayer> layers, ExrDepth depth) {
+    Imf::OutputFile file(stream, header_of(layers, depth));
+    LayerRows rows(layers, 0, depth);
     const std::size_t height = rows_of(layers[0].levels[0]).height;
     for (std::size_t y = 0; y < height; y += exr_rows_at_once) {
         const std::size_t end = std::min(y + exr_rows_at_once, height);
-        file.setFrameBuffer(half.rows(y, end));
+        file.setFrameBuffer(rows.rows(y, end));
         file.writePixels(int(end - y));
     }
 }
 
 /// Writes a level, one row of tiles at a time; tiles' frame buffers begin at the level's own rows.
-void write_level(Imf::TiledOutputFile& file, std::span<const ExrLayer> layers, int level) {
-    HalfLayers half(layers, std::size_t(level));
+void write_level(Imf::TiledOutputFile& file, std::span<const ExrLayer> layers, int level,
+                 ExrDepth depth) {
+    LayerRows rows(layers, std::size_t(level), depth);
     const std::size_t height = rows_of(layers[0].levels[std::size_t(level)]).height;
     for (int tile = 0; tile < file.numYTiles(level); ++tile) {
         const std::size_t begin = exr_tile_side * std::size_t(tile);
-        file.setFrameBuffer(half.rows(begin, std::min(begin + exr_tile_side, height)));
+        file.setFrameBuffer(rows.rows(begin, std::min(begin + exr_tile_side, height)));
         file.writeTiles(0, file.numXTiles(level) - 1, tile, tile, level);
     }
 }
 
-void encode_tiles(Imf::OStream& stream, std::span<const ExrLayer> layers) {
-    Imf::Header header = header_of(layers);
+void encode_tiles(Imf::OStream& stream, std::span<const ExrLayer> layers, ExrDepth depth) {
+    Imf::Header header = header_of(layers, depth);
     header.setTileDescription({exr_tile_side, exr_tile_side, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
     Imf::TiledOutputFile file(stream, header);
     if (std::size_t(file.numLevels()) != layers[0].levels.size())
         throw misuse(layers[0], "does not have all levels down to 1 x 1");
-    for (int l = 0; l < file.numLevels(); ++l) write_level(file, layers, l);
+    for (int l = 0; l < file.numLevels(); ++l) write_level(file, layers, l, depth);
 }
 
 }  // namespace
 
-AtomicFile write_exr_layers(const std::string& path, std::span<const ExrLayer> layers) {
+AtomicFile write_exr_layers(const std::string& path, std::span<const ExrLayer> layers,
+                            ExrDepth depth) {
     std::set<std::string> names;
     for (const ExrLayer& layer : layers) {
         check_sizes(layer, layers[0]);
         check_names(layer, names);
     }
     const FloatRows whole = rows_of(layers[0].levels[0]);
-    return write_exr_stream(path, "OpenEXR image", whole.width, whole.height,
-                            [&](Imf::OStream& stream) {
-                                const bool tiled = layers[0].levels.size() > 1;
-                                tiled ? encode_tiles(stream, layers) : encode_lines(stream, layers);
-                            });
+    return write_exr_stream(
+        path, "OpenEXR image", whole.width, whole.height, [&](Imf::OStream& stream) {
+            const bool tiled = layers[0].levels.size() > 1;
+            tiled ? encode_tiles(stream, layers, depth) : encode_lines(stream, layers, depth);
+        });
 }
 
 }  // namespace burl

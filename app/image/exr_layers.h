@@ -1,12 +1,14 @@
 #pragma once
 // OpenEXR files of several images: a material's channels beside one another, or one image with
-// opacity. Halves as in exr_io.h; colours with opacity are premultiplied, as the format defines.
+// opacity. Halves or floats as in exr_io.h; colours with opacity are premultiplied, as the format
+// defines.
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "app/base/atomic_file.h"
+#include "app/image/exr_io.h"
 #include "atlas/base/image.h"
 
 namespace burl {
@@ -30,6 +32,7 @@ struct ExrLayer {
 /// Throws Error(io), and Error(runtime) where two channels have one name, a layer has not as many
 /// letters as components, sizes differ, or OpenEXR cannot encode it. The file is complete but not
 /// committed.
-AtomicFile write_exr_layers(const std::string& path, std::span<const ExrLayer> layers);
+AtomicFile write_exr_layers(const std::string& path, std::span<const ExrLayer> layers,
+                            ExrDepth depth = ExrDepth::half);
 
 }  // namespace burl

@@ -3,15 +3,10 @@
 #include "app/image/image_io.h"
 
 #include <algorithm>
-#include <bit>
-#include <concepts>
 #include <csetjmp>
 #include <cstring>
-#include <exception>
-#include <filesystem>
 
 #include <png.h>
-#include <zlib.h>
 
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
@@ -22,7 +17,6 @@ namespace {
 
 static_assert(sizeof(Rgb8) == 3 && sizeof(Rgb16) == 6, "pixels are libpng's rows");
 static_assert(sizeof(Rgba8) == 4 && sizeof(Rgba16) == 8, "pixels are libpng's rows");
-static_assert(sizeof(png_color) == 3, "a palette is an array of pixels");
 
 constexpr png_uint_32 max_side = 1u << 20;
 constexpr std::uint64_t max_pixels = 1ull << 28;
@@ -53,26 +47,6 @@ void on_read(png_structp png, png_bytep out, std::size_t count) {
     std::memcpy(out, source->rest.data(), count);
     source->rest = source->rest.subspan(count);
 }
-
-/// The sink of the encoded bytes, and the exception it has thrown.
-struct Target {
-    const ByteSink& sink;
-    std::exception_ptr thrown{};
-};
-
-void on_write(png_structp png, png_bytep data, std::size_t count) {
-    auto* target = static_cast<Target*>(png_get_io_ptr(png));
-    bool taken = true;
-    try {
-        target->sink({data, count});
-    } catch (...) {
-        target->thrown = std::current_exception();
-        taken = false;
-    }
-    if (!taken) png_error(png, "the bytes are not taken");
-}
-
-void on_flush(png_structp) {}
 
 /// Owner of libpng's two structs for reading.
 struct Reader {
@@ -135,112 +109,6 @@ bool read_rows(Reader& r, std::uint8_t* pixels, std::size_t stride, std::size_t 
     }
     png_read_end(r.png, nullptr);
     return true;
-}
-
-/// Owner of libpng's two structs for writing.
-struct Writer {
-    Message message;
-    png_structp png;
-    png_infop info = nullptr;
-
-    Writer() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, on_error, on_warning)) {
-        if (png) info = png_create_info_struct(png);
-    }
-    ~Writer() { png_destroy_write_struct(&png, &info); }
-    Writer(const Writer&) = delete;
-    Writer& operator=(const Writer&) = delete;
-};
-
-/// Pixels, size and pixel format of an image in libpng's terms.
-struct Raster {
-    const std::uint8_t* pixels;
-    std::size_t width, height;
-    int bits = 8, color_type = PNG_COLOR_TYPE_RGB;
-    std::span<const Rgb8> palette{};
-    std::size_t stride() const { return width * channels() * std::size_t(bits / 8); }
-    std::size_t channels() const {
-        if (color_type == PNG_COLOR_TYPE_RGB_ALPHA) return 4;
-        return color_type == PNG_COLOR_TYPE_RGB ? 3 : 1;
-    }
-};
-
-void set_method(Writer& w, const Raster& raster, int level) {
-    png_set_compression_level(w.png, level);
-    // Row filters subtract neighbours, and differences of palette indices mean nothing.
-    if (!raster.palette.empty()) png_set_filter(w.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
-    if (level != default_png_level) return;
-    // Noise has few long repeats: against libpng's defaults at this level 25 % faster and 20 %
-    // smaller (docs/reference/export.md).
-    png_set_filter(w.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
-    png_set_compression_strategy(w.png, Z_RLE);
-}
-
-bool write_all(Writer& w, const Raster& raster, int level, PngContent content, Target* target) {
-    if (setjmp(png_jmpbuf(w.png))) return false;
-    png_set_write_fn(w.png, target, on_write, on_flush);
-    set_method(w, raster, level);
-    png_set_IHDR(w.png, w.info, png_uint_32(raster.width), png_uint_32(raster.height), raster.bits,
-                 raster.color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    if (content == PngContent::color) png_set_sRGB(w.png, w.info, PNG_sRGB_INTENT_PERCEPTUAL);
-    if (!raster.palette.empty())
-        png_set_PLTE(w.png, w.info, reinterpret_cast<const png_color*>(raster.palette.data()),
-                     int(raster.palette.size()));
-    png_write_info(w.png, w.info);
-    if (raster.bits == 16 && std::endian::native == std::endian::little) png_set_swap(w.png);
-    for (std::size_t y = 0; y < raster.height; ++y) {
-        png_write_row(w.png, raster.pixels + y * raster.stride());
-    }
-    png_write_end(w.png, nullptr);
-    return true;
-}
-
-void encode_to(const ByteSink& sink, const Raster& raster, int level, PngContent content) {
-    if (raster.width > max_side || raster.height > max_side) {
-        throw Error(ExitCode::runtime, fmt::format("an image of {} x {} is too large for PNG",
-                                                   raster.width, raster.height));
-    }
-    Writer writer;
-    Target target{sink};
-    if (writer.info && write_all(writer, raster, level, content, &target)) return;
-    if (target.thrown) std::rethrow_exception(target.thrown);
-    throw Error(ExitCode::runtime, fmt::format("the PNG image of {} x {} could not be encoded: {}",
-                                               raster.width, raster.height, writer.message.text));
-}
-
-std::vector<std::uint8_t> encode(const Raster& raster, int level,
-                                 PngContent content = PngContent::color) {
-    std::vector<std::uint8_t> out;
-    out.reserve(raster.stride() * raster.height / 2 + 1024);
-    encode_to(
-        [&](std::span<const std::uint8_t> bytes) {
-            out.insert(out.end(), bytes.begin(), bytes.end());
-        },
-        raster, level, content);
-    return out;
-}
-
-template <class Pixel>
-Raster raster_of(const Image<Pixel>& image, int bits, int color_type) {
-    return {reinterpret_cast<const std::uint8_t*>(image.pixels().data()), image.width(),
-            image.height(), bits, color_type};
-}
-template <class Code>
-Raster raster_of(const Image<Rgb<Code>>& image) {
-    return raster_of(image, 8 * int(sizeof(Code)), PNG_COLOR_TYPE_RGB);
-}
-template <class Code>
-Raster raster_of(const Image<Rgba<Code>>& image) {
-    return raster_of(image, 8 * int(sizeof(Code)), PNG_COLOR_TYPE_RGB_ALPHA);
-}
-template <class Code>
-requires std::unsigned_integral<Code> Raster raster_of(const Image<Code>& image) {
-    return raster_of(image, 8 * int(sizeof(Code)), PNG_COLOR_TYPE_GRAY);
-}
-
-bool is_grey(const IndexedImage& image) {
-    return std::all_of(image.colors.begin(), image.colors.end(),
-                       [](const Rgb8& c) { return c.r == c.g && c.g == c.b; });
 }
 
 void refuse_other_formats(std::span<const std::uint8_t> bytes, const std::string& origin) {
@@ -315,56 +183,10 @@ PngSize png_size(const std::string& path) {
     return {png_get_uint_32(&head[16]), png_get_uint_32(&head[20])};
 }
 
-template <class Pixel>
-std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level) {
-    return encode(raster_of(image), level, png_content<Pixel>);
-}
-
-template <class Pixel>
-void encode_png(const Image<Pixel>& image, const ByteSink& sink, PngContent content) {
-    encode_to(sink, raster_of(image), default_png_level, content);
-}
-
-template std::vector<std::uint8_t> encode_png(const Image<Rgb8>&, int);
-template std::vector<std::uint8_t> encode_png(const Image<Rgb16>&, int);
-template std::vector<std::uint8_t> encode_png(const Image<Rgba8>&, int);
-template std::vector<std::uint8_t> encode_png(const Image<Rgba16>&, int);
-template std::vector<std::uint8_t> encode_png(const Image<Grey8>&, int);
-template std::vector<std::uint8_t> encode_png(const Image<Grey16>&, int);
-template void encode_png(const Image<Rgb8>&, const ByteSink&, PngContent);
-template void encode_png(const Image<Rgb16>&, const ByteSink&, PngContent);
-template void encode_png(const Image<Rgba8>&, const ByteSink&, PngContent);
-template void encode_png(const Image<Rgba16>&, const ByteSink&, PngContent);
-template void encode_png(const Image<Grey8>&, const ByteSink&, PngContent);
-template void encode_png(const Image<Grey16>&, const ByteSink&, PngContent);
-
-std::vector<std::uint8_t> encode_png(const IndexedImage& image) {
-    Image<std::uint8_t> pixels = image.pixels;
-    Raster raster{pixels.pixels().data(), pixels.width(), pixels.height()};
-    if (!is_grey(image)) {
-        raster.color_type = PNG_COLOR_TYPE_PALETTE;
-        raster.palette = image.colors;
-        return encode(raster, 9);
-    }
-    for (std::size_t y = 0; y < pixels.height(); ++y)
-        for (std::uint8_t& pixel : pixels.row(y)) pixel = image.colors[pixel].r;
-    raster.color_type = PNG_COLOR_TYPE_GRAY;
-    return encode(raster, 9);
-}
-
 void write_png(const std::string& path, const Image<Rgb8>& image) {
     AtomicFile file(path);
     encode_png(image, sink_of(file));
     file.commit();
-}
-
-std::string level_extension(std::size_t level) {
-    return fmt::format(".{}.png", level);
-}
-
-std::string normal_map_path(const std::string& out_path) {
-    std::filesystem::path path(out_path);
-    return path.replace_filename(path.stem().string() + "_normal.png").string();
 }
 
 }  // namespace burl

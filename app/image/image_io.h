@@ -1,5 +1,6 @@
 #pragma once
-// PNG files through libpng. libpng stays inside image_io.cpp: its long jumps come out as Error.
+// PNG files, read through libpng, whose long jumps come out of image_io.cpp as Error, and written
+// by png_write.cpp.
 #include <concepts>
 #include <cstdint>
 #include <span>
@@ -13,11 +14,6 @@
 #include "atlas/base/image.h"
 
 namespace burl {
-
-/// The zlib level of encode_png. Level 1 is combined with one row filter (Paeth) and run-length
-/// matching: on solid textures several times faster than zlib's default 6 for 3 % more bytes
-/// (docs/reference/export.md).
-inline constexpr int default_png_level = 1;
 
 /// Reads any PNG as 8-bit RGB: grey and palettes are expanded, 16 bits are rounded to 8, alpha is
 /// dropped, gamma chunks are ignored. Throws Error: io when the file cannot be read or is not a
@@ -56,30 +52,28 @@ template <class Pixel>
 inline constexpr PngContent png_content =
     std::unsigned_integral<Pixel> ? PngContent::data : PngContent::color;
 
-/// The content of a PNG file, row 0 on top: RGB, RGBA or grey, of 8 or 16 bits, the codes as they
-/// are. Pixel is Rgb8, Rgb16, Rgba8, Rgba16, Grey8 or Grey16. `level` is zlib's, 0..9. Colours are
-/// marked as sRGB, numbers are not. The image has at least one pixel. Throws Error(runtime) when it
-/// cannot be encoded (a side above 2^20, say).
-template <class Pixel>
-std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level = default_png_level);
+/// The level of encode_png() that follows from the image's size.
+inline constexpr int png_level_by_size = -1;
 
-/// Encodes at default_png_level and passes the bytes to the sink as they are produced: beside a
-/// texture of 16384 x 16384 texels there is no memory for its file. Exceptions of the sink are
-/// passed on.
+/// The content of a PNG file, row 0 on top: RGB, RGBA or grey, of 8 or 16 bits, the codes as they
+/// are. Pixel is Rgb8, Rgb16, Rgba8, Rgba16, Grey8 or Grey16. `level` is libdeflate's, 0 (stored)
+/// to 12, or png_level_by_size. Colours are marked as sRGB, numbers are not. The image has at
+/// least one pixel. All threads of the caller's arena share the work, and the bytes are the same
+/// for any number of them. Throws Error(runtime) for a side above 2^20.
+template <class Pixel>
+std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level = png_level_by_size);
+
+/// Passes the bytes to the sink as they are produced, by one thread at a time: beside a texture of
+/// 16384 x 16384 texels there is no memory for its file. Exceptions of the sink are passed on.
 template <class Pixel>
 void encode_png(const Image<Pixel>& image, const ByteSink& sink,
                 PngContent content = png_content<Pixel>);
 
-/// A PNG with a palette, or in grey where all colours are grey, at zlib's level 9; for small files.
+/// A PNG with a palette, or in grey where all colours are grey, at libdeflate's level 9; for small
+/// files.
 std::vector<std::uint8_t> encode_png(const IndexedImage& image);
 
 /// Writes the file, whole or not at all (app/base/atomic_file.h). Throws Error(io).
 void write_png(const std::string& path, const Image<Rgb8>& image);
-
-/// The extension that replaces a texture's own for the PNG of its MIP level `level` >= 1: ".1.png".
-std::string level_extension(std::size_t level);
-
-/// The path of the normal map beside an output file of any kind: "a_normal.png" for "a.obj".
-std::string normal_map_path(const std::string& out_path);
 
 }  // namespace burl

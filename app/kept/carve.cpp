@@ -78,6 +78,8 @@ class Carver {
     void add_frames(const VertexGroup& group, Json& attributes);
     void add_blocks(const VertexGroup& group, Json& attributes);
     std::uint32_t uv_set_for(const Json& target) const;
+    /// Whether the atlas's coordinates are the document's own, which so keep their bytes.
+    bool keeps_uvs() const { return carved_.content.atlas.options.kind == AtlasKind::uv; }
     void say_losses();
 
     KeptDocument& document_;
@@ -246,7 +248,7 @@ Json Carver::extended_target(const VertexGroup& group, const Json& target) {
 
 std::uint32_t Carver::uv_set_for(const Json& target) const {
     const std::uint32_t sets = uv_sets(target.at("attributes"));
-    const std::uint32_t set = carved_.uv_set.value_or(sets);
+    const std::uint32_t set = carved_.uv_set.value_or(keeps_uvs() ? 0 : sets);
     if (set > sets)
         throw Error(ExitCode::usage,
                     fmt::format("--uv-set {}: a primitive has {} sets of texture coordinates, and "
@@ -254,7 +256,7 @@ std::uint32_t Carver::uv_set_for(const Json& target) const {
                                 set, sets, sets));
     const bool variants =
         target.contains("extensions") && target["extensions"].contains("KHR_materials_variants");
-    if (set < sets && variants)
+    if (set < sets && variants && !keeps_uvs())
         throw Error(ExitCode::usage,
                     fmt::format("--uv-set {} would move texture coordinates that material variants "
                                 "read; leave it out",
@@ -264,6 +266,7 @@ std::uint32_t Carver::uv_set_for(const Json& target) const {
 
 void Carver::insert_uvs(const VertexGroup& group, Json& attributes, std::uint32_t set) {
     const auto name = [](std::uint32_t number) { return fmt::format("TEXCOORD_{}", number); };
+    if (keeps_uvs() && attributes.contains(name(set))) return;
     for (std::uint32_t from = uv_sets(attributes); from-- > set;)
         attributes[name(from + 1)] = attributes[name(from)];
     std::vector<float> uvs;

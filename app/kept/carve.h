@@ -23,7 +23,8 @@ struct CarvedMesh {
         corners;  ///< of the mesh that the atlas places, which is content's
     const SceneContent& content;
     /// The set of texture coordinates that gets the atlas's, where those from it on are moved up by
-    /// one; none: the first free one of each primitive.
+    /// one; none: the first free one of each primitive. With a uv atlas it is the set that the
+    /// atlas was read from, none: 0, and stays as it is.
     std::optional<std::uint32_t> uv_set{};
     /// The path after which pictures beside a .gltf are named; empty: they go into the document.
     std::string pictures{};

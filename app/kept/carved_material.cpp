@@ -27,9 +27,15 @@ CarvedMaterial::CarvedMaterial(KeptDocument& document, const SceneContent& conte
     SceneContent named{pictures.empty() ? content.path : pictures, content.mesh, content.atlas,
                        content.image, content.options};
     const std::string color =
-        pictures.empty() ? "" : std::filesystem::path(pictures).replace_extension(".png").string();
+        pictures.empty() ? "" : path_beside(pictures, extension_of(content.options.coding.format));
     for (const std::vector<SceneImage>& texture : scene_textures(named, color))
         for (const SceneImage& image : texture) add_image(image);
+    if (content.options.coding.format == TextureFormat::webp) {
+        document.use_extension(webp_extension);
+        Json& required = array_of(document.json, "extensionsRequired");
+        if (std::ranges::find(required, Json(webp_extension)) == required.end())
+            required.push_back(webp_extension);
+    }
     Json& textures = array_of(document.json, "textures");
     first_texture_ = textures.size();
     const std::size_t sampler = add_sampler();
@@ -50,7 +56,7 @@ void CarvedMaterial::add_image(const SceneImage& image) {
         json["uri"] = relative_uri(image.path);
         document_.new_uris.push_back(json["uri"]);
     }
-    json["mimeType"] = "image/png";
+    json["mimeType"] = media_type(content_.options.coding.format);
     document_.json["images"].push_back(std::move(json));
 }
 

@@ -66,6 +66,11 @@ void add_counts(const Json& document, std::vector<std::string>& losses) {
         losses.push_back(fmt::format("extras of {} objects", count));
 }
 
+/// Whether the node is a skinned mesh alone, which its joints move and no node above it.
+bool is_skinned_leaf(const Json& node) {
+    return node.contains("skin") && !node.contains("children");
+}
+
 /// Puts the roots of all scenes under a new node each, with the transform.
 void add_root(Json& document, const Mat4d& frame) {
     if (!document.contains("scenes")) return;
@@ -74,9 +79,14 @@ void add_root(Json& document, const Mat4d& frame) {
         Json node{{"name", "axes and units"}, {"matrix", Json::array()}};
         for (int c = 0; c < 4; ++c)
             for (int r = 0; r < 4; ++r) node["matrix"].push_back(frame[c][r]);
-        node["children"] = scene["nodes"];
+        Json roots = Json::array();
+        for (const Json& root : scene["nodes"])
+            (is_skinned_leaf(document["nodes"][root.get<std::size_t>()]) ? roots : node["children"])
+                .push_back(root);
+        if (!node.contains("children")) continue;
         document["nodes"].push_back(std::move(node));
-        scene["nodes"] = Json::array({document["nodes"].size() - 1});
+        roots.push_back(document["nodes"].size() - 1);
+        scene["nodes"] = std::move(roots);
     }
 }
 

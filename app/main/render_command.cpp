@@ -136,7 +136,7 @@ void RenderCommand::add(CLI::App& verb) {
 void RenderCommand::check(const std::vector<std::string>& names) const {
     const GivenOptions given{names};
     if (!direct && !lazy) {
-        given.refuse({"--recipe", "--recipes", "--set", "--time", "--precision", "--pose"},
+        given.refuse({"--recipe", "--recipes", "--set", "--time", "--precision"},
                      "goes with --direct or --lazy: a scene that is drawn has its texture already");
         given.refuse({"--crease", "--weld", "--unshare-instances", "--material"},
                      "goes with --direct or --lazy: a scene is drawn as it is");

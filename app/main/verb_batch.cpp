@@ -138,9 +138,9 @@ std::string mesh_key(const Bake& bake) {
     std::string only;
     for (const auto& [mesh, primitive] : choice.only)
         only += fmt::format("{}.{},", mesh, primitive);
-    return fmt::format("{} {} {} {} {},{},{} {} {} {}\n{}\n{} {} {}", command.meshes.read.weld,
-                       command.meshes.read.unshare_instances, command.displace.value_or(0),
-                       frame.up, turn.x, turn.y, turn.z, frame.scale,
+    return fmt::format("{} {} {} {} {} {},{},{} {} {} {}\n{}\n{} {} {}", command.meshes.read.weld,
+                       command.meshes.read.uv_set, command.meshes.read.unshare_instances,
+                       command.displace.value_or(0), frame.up, turn.x, turn.y, turn.z, frame.scale,
                        frame.units ? to_string(*frame.units) : "", fmt::join(choice.meshes, "\n"),
                        fmt::join(choice.nodes, "\n"), fmt::join(choice.materials, "\n"), only,
                        real_path(command.mesh));

@@ -38,6 +38,7 @@ constexpr std::array suite_runs{
     SuiteRun{"resynthesis", run_resynthesis_bench},
     SuiteRun{"stability", run_stability_bench},
     SuiteRun{"synthesis", run_synthesis_bench},
+    SuiteRun{"uv", run_uv_bench},
 };
 
 void check_bench_output(const BenchCommand& command) {
@@ -56,10 +57,11 @@ void add_bench(CLI::App& program) {
     verb->add_option(
             "suite", command->suite,
             "mesh_io, atlas, synthesis, resynthesis, levels, economy, filter, noise, forward, "
-            "gl, kernels, open, precision, stability or editor")
+            "gl, kernels, open, precision, stability, editor or uv")
         ->required()
         ->check(one_of(bench_suite_names()));
-    verb->add_option("file", command->file, "synthesis, resynthesis, levels: a mesh to texture");
+    verb->add_option("file", command->file,
+                     "synthesis, resynthesis, levels, uv: a mesh to texture");
     verb->add_option("--size", command->size, bench_size_help());
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))

@@ -51,6 +51,11 @@ std::string picture_path(const std::string& prefix, std::string_view atlas, cons
     return fmt::format("{}-{}-{}.png", prefix, atlas, topic);
 }
 
+/// The name of our atlas of a kind; "uv" names the file's own coordinates as the file has them.
+std::string name_of(AtlasKind kind) {
+    return kind == AtlasKind::uv ? "uv-atlas" : std::string(to_string(kind));
+}
+
 /// Loads the mesh. Throws Error(usage) where --uv asks for texture coordinates that it does not
 /// have.
 Mesh load_measured(const MetricsCommand& command) {
@@ -92,7 +97,7 @@ class Measuring {
         const auto points_of = [&](const Mesh& surface, const Atlas&, const auto& positions) {
             return rasterize(surface, atlas, positions);
         };
-        const std::string name(to_string(kind));
+        const std::string name = name_of(kind);
         if (!atlas.patches())
             return with_direct(measured(name, mesh(), edges_, atlas.atlas(), truth_, points_of),
                                truth_);
@@ -194,7 +199,7 @@ void check_pictures(const MetricsCommand& command, const Recipe& recipe, bool uv
     for (const char* topic : picture_topics) {
         if (uvs) files.write(picture_path(command.image, "uv", topic));
         for (const AtlasKind kind : kinds)
-            files.write(picture_path(command.image, to_string(kind), topic));
+            files.write(picture_path(command.image, name_of(kind), topic));
     }
 }
 
@@ -253,6 +258,10 @@ void run_metrics(const MetricsCommand& command) {
         });
     Recipe recipe = options.load();
     check_recipe(command, options, recipe);
+    if (recipe.atlas.columns() != recipe.atlas.rows())
+        throw Error(
+            ExitCode::unsupported,
+            fmt::format("metrics measures square textures; use --size {}", recipe.atlas.size));
     Mesh mesh = load_measured(command);
     set_metres({&recipe, 1}, options, command.meshes.frame, mesh);
     const AtlasesAsked asked = atlases_asked(command, recipe, mesh);
@@ -288,6 +297,7 @@ void add_metrics(CLI::App& program) {
                    "Measure the file's own texture coordinates (the default for a file that has "
                    "them when no --atlas is asked)");
     command->meshes.add(*verb);
+    command->meshes.add_uv_set(*verb);
     verb->add_flag("--levels", command->levels,
                    "Also measure lookups: error per MIP level, seams, bleeding");
     auto* texture =

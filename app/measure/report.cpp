@@ -81,6 +81,8 @@ Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics) {
             {"gutter", atlas.options.gutter},
             {"diagonals", to_string(atlas.options.diagonals)},
             {"size", atlas.options.size},
+            {"width", atlas.options.columns()},
+            {"height", atlas.options.rows()},
             {"triangles", metrics.triangles},
             {"zero_area", metrics.zero_area},
             {"charts", metrics.charts},
@@ -99,6 +101,9 @@ Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics) {
             {"narrowed_gutters", notes.narrowed_gutters},
             {"shared_texels", notes.shared_texels},
             {"shared_triangles", notes.shared_triangles},
+            {"overlapped_texels", notes.overlapped_texels},
+            {"overlapping_triangles", notes.overlapping_triangles},
+            {"flat_triangles", notes.flat_triangles},
             {"fallback", notes.fallback}};
 }
 

@@ -79,6 +79,8 @@ struct MeshOptions {
     MeshFrame frame;
 
     void add(CLI::App& verb);
+    /// Adds --uv-set, which says what is read.
+    void add_uv_set(CLI::App& verb);
     /// Adds --mesh and --node, which choose parts of a glTF as --material does.
     void add_choice(CLI::App& verb);
     /// Adds --up, --rotate, --scale and --units alone.
@@ -86,7 +88,8 @@ struct MeshOptions {
     /// Reads the mesh file or sample ("sample:teapot"), turns and scales it by the frame, and
     /// prints the reader's notes on stderr. Throws Error as read_mesh does, and usage for
     /// --unshare-instances of a mesh that is not glTF, for a choice of a format that has no such
-    /// names, and for a pattern that fits no name of the file.
+    /// names, for a pattern that fits no name of the file, and for a set of texture coordinates
+    /// that it does not have.
     Mesh load(const std::string& path) const;
     /// The pose of the mesh that load() gives (app/surface/sample_meshes.h), in its frame.
     MeshPose pose(const std::string& mesh, const std::string& pose) const;

@@ -39,6 +39,10 @@ std::string only_patches(const Recipe& recipe) {
     return only_atlases(AtlasKind::patch, recipe);
 }
 
+std::string only_uvs(const Recipe& recipe) {
+    return only_atlases(AtlasKind::uv, recipe);
+}
+
 std::string only_supersample(const Recipe& recipe) {
     if (recipe.filter.kind == FilterKind::supersample) return "";
     return "only --filter supersample takes samples; add that, or leave it out";
@@ -65,7 +69,15 @@ std::vector<RecipeParameter> rows_before_texture() {
             {"-a,--atlas", "Atlas: {}"}),
         row("atlas.size", &AtlasOptions::size, {1, max_atlas_size, 256, "texels"},
             "width and height of the texture; quad: a power of two", {},
-            {"-s,--size", "Side N of the N x N texture, in texels"}),
+            {"-s,--size", "Side N of the N x N texture, in texels; of a uv atlas also WxH"}),
+        row("atlas.width", &AtlasOptions::width, {0, max_atlas_size, 256, "texels"},
+            "columns of a uv atlas's texture that is higher than wide, at most atlas.size; 0: "
+            "atlas.size",
+            {.rare = true}, {.idle = only_uvs}),
+        row("atlas.height", &AtlasOptions::height, {0, max_atlas_size, 256, "texels"},
+            "rows of a uv atlas's texture that is wider than high, at most atlas.size; 0: "
+            "atlas.size",
+            {.rare = true}, {.idle = only_uvs}),
         row("atlas.overscan", &AtlasOptions::overscan, {},
             "the look-up the texture is prepared for", {.label = "for lookups", .rare = true},
             {"--overscan", "Lookup the atlas is made for: {}"}),
@@ -93,6 +105,11 @@ std::vector<RecipeParameter> rows_before_texture() {
         row("atlas.tries", &AtlasOptions::tries, {1, 6, 1},
             "partitions a patch atlas is chosen from; the other kinds ignore it", {.rare = true},
             {"--tries", "Partitions a patch atlas is chosen from, 1 to 6", only_patches}),
+        row("atlas.overlap", &AtlasOptions::overlap, {},
+            "texels that several triangles of a uv atlas claim: refused, or the first one's",
+            {.rare = true},
+            {"--uv-overlap", "Texels that several triangles of a uv atlas claim: {}, one's",
+             only_uvs}),
         row("solid.space", &SolidOptions::space, {},
             "unit: the mesh's box centred, longest side 1; object: the file's coordinates"),
         row("solid.scale", &SolidOptions::scale, {1e-6, 1e6, 0.1},

@@ -31,11 +31,17 @@ void spread(std::vector<T>& values, const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-Scene load_scene(const std::string& path) {
+Scene load_scene(const std::string& path, const std::string& pose) {
     const std::string extension = lower_extension(path);
-    Scene scene = extension == ".glb" || extension == ".gltf" ? load_gltf_scene(read_file(path))
-                  : extension == ".obj"                       ? load_obj_scene(path)
-                                                              : load_plain_mesh(path);
+    const bool gltf = extension == ".glb" || extension == ".gltf";
+    if (!gltf && !pose.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("--pose {}: only a .gltf or .glb that is drawn has poses of its "
+                                "own; leave it out",
+                                pose));
+    Scene scene = gltf                  ? load_gltf_scene(read_file(path), pose)
+                  : extension == ".obj" ? load_obj_scene(path)
+                                        : load_plain_mesh(path);
     if (scene.surfaces.empty()) throw invalid_file(path, 0, "the scene holds no triangle to draw");
     if (!std::isfinite(bounding_sphere(scene).radius)) {
         throw invalid_file(path, 0, "the scene's points lie too far out to draw");

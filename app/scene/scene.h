@@ -76,11 +76,13 @@ struct Scene {
 
 /// Loads a .glb or .gltf with its PNG textures. An .obj with one material is drawn with that. All
 /// other files (.ply, .stl, .off, .obj with several materials) are drawn in vertex colours or grey.
-/// Throws Error: io, invalid_file, unsupported (other formats; JPEG, WebP or KTX textures).
-Scene load_scene(const std::string& path);
+/// A glTF may be drawn in one of its own poses (atlas/gltf/pose.h); empty: as its nodes and weights
+/// are stored, skins in their bind pose. Throws Error: io, invalid_file, unsupported (other
+/// formats; JPEG, WebP or KTX textures), usage for a pose that the file does not have.
+Scene load_scene(const std::string& path, const std::string& pose = {});
 
 /// The scene of a glTF file, with materials. Throws Error as load_scene does.
-Scene load_gltf_scene(const FileBuffer& file);
+Scene load_gltf_scene(const FileBuffer& file, const std::string& pose = {});
 /// The scene of an OBJ file, with one material. Throws Error as load_scene does.
 Scene load_obj_scene(const std::string& path);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "app/scene/gltf_material.h"
@@ -16,6 +17,8 @@
 #include "atlas/gltf/accessor.h"
 #include "atlas/gltf/container.h"
 #include "atlas/gltf/document.h"
+#include "atlas/gltf/motion.h"
+#include "atlas/gltf/pose.h"
 #include "atlas/gltf/primitive.h"
 #include "atlas/gltf/scene.h"
 
@@ -25,11 +28,16 @@ namespace {
 
 class GltfSceneLoader {
   public:
-    GltfSceneLoader(const tinygltf::Model& model, const std::string& path)
-        : model_(model), path_(path), textures_(model, path, scene_.textures) {}
+    /// `pose` may be null: as the file stores nodes and weights.
+    GltfSceneLoader(const tinygltf::Model& model, const std::string& path, const GltfPose* pose)
+        : model_(model),
+          path_(path),
+          pose_(pose),
+          to_scene_(scene_transforms(model, pose ? pose->nodes.local : nodes_at_rest(model).local)),
+          textures_(model, path, scene_.textures) {}
 
     Scene load() {
-        for (const GltfPlacement& placement : scene_placements(model_)) {
+        for (const GltfPlacement& placement : scene_placements(model_, to_scene_)) {
             const auto& primitives = model_.meshes[std::size_t(placement.mesh)].primitives;
             for (std::size_t p = 0; p < primitives.size(); ++p) {
                 add_surface(primitives[p], placement,
@@ -43,7 +51,7 @@ class GltfSceneLoader {
     void add_surface(const tinygltf::Primitive& primitive, const GltfPlacement& placement,
                      const std::string& where) {
         PolygonSoup soup;
-        PrimitiveReader reader(model_, path_, {}, soup);
+        PrimitiveReader reader(model_, path_, shape(placement), soup);
         reader.append(primitive, where);
         fill_attributes(soup);
         if (soup.corners.empty()) return;
@@ -60,14 +68,27 @@ class GltfSceneLoader {
         // The rectangles that Burl writes for quad atlases; tangents that are missing are computed
         // where a normal map needs them.
         surface.blocks = read_vec4(primitive, "_BURL_BLOCK", surface.positions.size());
-        surface.tangents = read_vec4(primitive, "TANGENT", surface.positions.size());
-        set_target(surface, primitive, weights_of(placement), where);
+        if (!pose_) {
+            surface.tangents = read_vec4(primitive, "TANGENT", surface.positions.size());
+            set_target(surface, primitive, weights_of(placement), where);
+        }
         // What glTF says of a primitive without a material.
         surface.material.metallic = surface.material.roughness = 1.0f;
         if (primitive.material >= 0) set_material(surface, primitive, where);
         if (surface.normals.empty()) make_flat(surface);
         if (surface.material.normals >= 0 && surface.tangents.empty()) add_tangents(surface);
         scene_.surfaces.push_back(std::move(surface));
+    }
+
+    /// The shape of the mesh, in its own space, or where its skin takes it.
+    MeshPlace shape(const GltfPlacement& placement) const {
+        MeshPlace place;
+        if (!pose_) return place;
+        place.target_weights =
+            pose_->target_weights(model_, placement.mesh, placement.nodes.front());
+        if (placement.skin >= 0 && pose_->skinned)
+            place.joints = joint_matrices(model_, placement.skin, to_scene_, path_);
+        return place;
     }
 
     /// An attribute of four components per vertex; empty where there is none of that name, or one
@@ -235,6 +256,8 @@ class GltfSceneLoader {
 
     const tinygltf::Model& model_;
     const std::string& path_;
+    const GltfPose* pose_;
+    std::vector<Mat4d> to_scene_;  ///< transforms of all nodes to the scene
     Scene scene_;
     GltfTextures textures_;
 };
@@ -253,9 +276,11 @@ std::vector<std::string> files_beside(const tinygltf::Model& model, const std::s
 
 }  // namespace
 
-Scene load_gltf_scene(const FileBuffer& file) {
+Scene load_gltf_scene(const FileBuffer& file, const std::string& pose) {
     const tinygltf::Model model = load_gltf(file);
-    Scene scene = GltfSceneLoader(model, file.path).load();
+    std::optional<GltfPose> found;
+    if (!pose.empty()) found = find_pose(model, pose, file.path);
+    Scene scene = GltfSceneLoader(model, file.path, found ? &*found : nullptr).load();
     scene.files = files_beside(model, file.path);
     return scene;
 }

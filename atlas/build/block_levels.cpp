@@ -98,8 +98,9 @@ Shares shares_within(std::uint32_t begin, std::uint32_t end, double scale, std::
 
 std::uint32_t last_level(const MeshAtlas& atlas) {
     const AtlasOptions& options = atlas.atlas().options;
-    if (options.kind == AtlasKind::patch || options.kind == AtlasKind::quad)
-        return log2_floor(options.size);
+    if (options.kind == AtlasKind::uv)
+        return log2_floor(std::min(options.columns(), options.rows()));
+    if (!is_strips(options.kind)) return log2_floor(options.size);
     return log2_floor(std::max(narrowest_block(atlas.atlas()) / 2, 1u));
 }
 
@@ -123,7 +124,9 @@ std::uint32_t last_source_level(const MeshAtlas& atlas) {
     }
     const Atlas& layout = atlas.atlas();
     const double texels = std::pow(double(layout.options.size), 2.0);
-    const double block = std::sqrt(texels / double(std::max<std::size_t>(layout.blocks.size(), 1)));
+    const std::size_t blocks =
+        layout.options.kind == AtlasKind::uv ? layout.chart_count : layout.blocks.size();
+    const double block = std::sqrt(texels / double(std::max<std::size_t>(blocks, 1)));
     return log2_floor(std::max(std::uint32_t(block), 1u));
 }
 

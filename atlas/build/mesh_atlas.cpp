@@ -8,6 +8,8 @@
 #include "atlas/base/memory.h"
 #include "atlas/build/capacity.h"
 #include "atlas/read/pose.h"
+#include "atlas/uv/layout.h"
+#include "atlas/uv/raster.h"
 
 namespace burl {
 
@@ -36,6 +38,7 @@ Atlas layout_pairs(const Mesh& mesh, const Connectivity& connectivity, const Atl
 
 std::optional<MeshAtlas> pack(const Mesh& mesh, const Connectivity& connectivity,
                               const AtlasOptions& options, const std::stop_token& stop) {
+    if (options.kind == AtlasKind::uv) return MeshAtlas(layout_uvs(mesh, connectivity, options));
     if (options.kind != AtlasKind::patch)
         return MeshAtlas(layout_atlas(mesh, connectivity, options));
     check_size(options);
@@ -48,6 +51,13 @@ std::optional<MeshAtlas> pack(const Mesh& mesh, const Connectivity& connectivity
     return MeshAtlas(
         layout_pairs(mesh, connectivity, options,
                      fmt::format("the patches do not fit {0} x {0} texels", options.size)));
+}
+
+SolidAtlas rasterized(const Mesh& input, const MeshAtlas& atlas, std::span<const Vec3d> positions) {
+    if (const PatchAtlas* patches = atlas.patches()) return rasterize_patches(*patches, positions);
+    const Atlas& own = atlas.atlas();
+    return own.options.kind == AtlasKind::uv ? rasterize_uv_charts(input, own, positions)
+                                             : rasterize(input, own, positions);
 }
 
 /// Appends to `result` a corner half-way between two corners of the pose, or at one of them (a ==
@@ -94,9 +104,7 @@ std::optional<MeshAtlas> build_atlas(const Mesh& mesh, const Connectivity& conne
 }
 
 SolidAtlas rasterize(const Mesh& input, const MeshAtlas& atlas, std::span<const Vec3d> positions) {
-    const PatchAtlas* patches = atlas.patches();
-    SolidAtlas solid = patches ? rasterize_patches(*patches, positions)
-                               : rasterize(input, atlas.atlas(), positions);
+    SolidAtlas solid = rasterized(input, atlas, positions);
     if (input.triangles.size() > many_triangles) return_freed_memory();
     return solid;
 }

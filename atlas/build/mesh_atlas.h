@@ -26,11 +26,11 @@ class MeshAtlas {
     std::variant<Atlas, PatchAtlas> form_;
 };
 
-/// Builds an atlas of the mesh, as layout_atlas() does for strips and quad. Where patches do not
-/// fit, or the mesh is mostly loose pieces (capacity.h), pairs take their place: `quad`, in the
-/// largest square with a power of two in the texture's corner, or `area` where that square is less
-/// than half the texture and strips fit. atlas().options.kind says which, atlas().notes.fallback
-/// why. Never fails for `patch`, whatever the size.
+/// Builds an atlas of the mesh, as layout_atlas() does for strips and quad, and layout_uvs() for
+/// uv. Where patches do not fit, or the mesh is mostly loose pieces (capacity.h), pairs take their
+/// place: `quad`, in the largest square with a power of two in the texture's corner, or `area`
+/// where that square is less than half the texture and strips fit. atlas().options.kind says which,
+/// atlas().notes.fallback why. Never fails for `patch`, whatever the size.
 MeshAtlas build_atlas(const Mesh& mesh, const Connectivity& connectivity,
                       const AtlasOptions& options);
 /// Builds an atlas like the overload without `stop`; nothing if `stop` was requested first, which

@@ -249,9 +249,10 @@ void PrimitiveReader::append_attributes(const Vertices& vertices, std::size_t fi
         for (std::size_t i = 0; i < source.count(); ++i)
             values.push_back(convert(source[i], source.components));
     };
-    append("TEXCOORD_0", 2, 2, soup_.uvs.values, Vec2d(0.0), [](const double* uv, std::size_t) {
-        return Vec2d(std::isfinite(uv[0]) ? uv[0] : 0.0, std::isfinite(uv[1]) ? uv[1] : 0.0);
-    });
+    append(fmt::format("TEXCOORD_{}", place_.uv_set).c_str(), 2, 2, soup_.uvs.values, Vec2d(0.0),
+           [](const double* uv, std::size_t) {
+               return Vec2d(std::isfinite(uv[0]) ? uv[0] : 0.0, std::isfinite(uv[1]) ? uv[1] : 0.0);
+           });
     append("COLOR_0", 3, 4, soup_.colors.values, white,
            [](const double* c, std::size_t components) {
                const float alpha = components == 4 ? finite_float(c[3]) : 1.0f;

@@ -64,6 +64,8 @@ struct MeshPlace {
     /// Matrices of the skin's joints (joint_matrices()). A primitive with joint indices takes them
     /// instead of `to_scene`.
     std::vector<Mat4d> joints{};
+    /// The N of TEXCOORD_N that texture coordinates are read from.
+    std::uint32_t uv_set = 0;
 };
 
 /// Appends the primitives of one mesh in one place.

@@ -15,15 +15,20 @@ namespace burl {
 
 namespace {
 
-double texture_area(const std::array<Vec2d, 3>& corners, double size) {
+/// A texture's sides in texels.
+Vec2d sides_of(const Atlas& atlas) {
+    return {atlas.options.columns(), atlas.options.rows()};
+}
+
+double texture_area(const std::array<Vec2d, 3>& corners, const Vec2d& size) {
     return 0.5 *
            std::abs(cross((corners[1] - corners[0]) / size, (corners[2] - corners[0]) / size));
 }
 
-double owned_share(const SolidAtlas& solid) {
+double owned_share(const SolidAtlas& solid, const Vec2d& size) {
     double texels = 0.0;
     for (const Span& span : solid.spans) texels += span.count;
-    return texels / (double(solid.size) * double(solid.size));
+    return texels / (size.x * size.y);
 }
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -94,12 +99,12 @@ AtlasMetrics measure(const Mesh& mesh, const Atlas& atlas, const SolidAtlas& sol
     AtlasMetrics metrics;
     metrics.triangles = mesh.triangles.size();
     metrics.charts = atlas.chart_count;
-    metrics.texel_coverage = owned_share(solid);
+    metrics.texel_coverage = owned_share(solid, sides_of(atlas));
     const auto [areas, unit] = triangle_areas(mesh);
     std::vector<WeightedValue> densities;
     double ratios = 0.0, total = 0.0;
     for (std::size_t t = 0; t < areas.size(); ++t) {
-        const double in_texture = texture_area(atlas.corners[t], atlas.options.size);
+        const double in_texture = texture_area(atlas.corners[t], sides_of(atlas));
         metrics.coverage += in_texture;
         if (areas[t] == 0.0) {
             ++metrics.zero_area;

@@ -99,6 +99,8 @@ struct ReadOptions {
     /// Whether each glTF instance gets triangles of its own, in scene space, instead of sharing
     /// those of the first instance.
     bool unshare_instances = false;
+    /// The N of the glTF attribute TEXCOORD_N that texture coordinates are read from.
+    std::uint32_t uv_set = 0;
     GltfChoice choice{};
 };
 

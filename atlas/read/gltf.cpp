@@ -108,6 +108,7 @@ class SceneReader {
     MeshPlace place(const GltfPlacement& placement, std::size_t number) const {
         const Mat4d& to_scene = placement.to_scene[number];
         MeshPlace result{to_scene, glm::determinant(Mat3d(to_scene)) < 0.0};
+        result.uv_set = options_.uv_set;
         if (!pose_) return result;
         const int node = placement.nodes[number];
         result.target_weights = pose_->target_weights(model_, placement.mesh, node);

@@ -17,8 +17,13 @@ namespace burl {
 /// Kinds of layout: the strips of the paper's sections 4.1 and 4.2 with blocks of equal size
 /// (uniform), weighted by triangle area (area) or by longest edge (length); `quad`, pairs in a
 /// quadtree (docs/reference/atlases.md); `patch`, few patches on rectangles
-/// (docs/reference/patch-atlas.md).
-enum class AtlasKind { uniform, area, length, quad, patch };
+/// (docs/reference/patch-atlas.md); `uv`, the mesh's own texture coordinates
+/// (docs/reference/uv-atlas.md).
+enum class AtlasKind { uniform, area, length, quad, patch, uv };
+/// Whether the kind lays pairs of triangles in rows.
+constexpr bool is_strips(AtlasKind kind) {
+    return kind < AtlasKind::quad;
+}
 /// The texture lookup for which overscan is counted: it must not read texels of an unrelated
 /// triangle.
 enum class Overscan { nearest, bilinear };
@@ -32,10 +37,13 @@ enum class AtlasPartition { rcb, graph };
 /// Whether the two triangles of a quad atlas's pair meet on the block's diagonal, or lie apart with
 /// overscan between them where they would meet in a kink: for outputs of more than 8 bits.
 enum class Diagonals { shared, overscan };
+/// Texels that several triangles of a uv atlas claim, as mirrored halves and stacked charts do:
+/// refused, or shown as the first of these triangles.
+enum class UvOverlap { refuse, first };
 
 template <>
 inline constexpr auto enum_names<AtlasKind> = enum_words("uniform", "area", "length", "quad",
-                                                         "patch");
+                                                         "patch", "uv");
 template <>
 inline constexpr auto enum_names<Overscan> = enum_words("nearest", "bilinear");
 template <>
@@ -44,6 +52,8 @@ template <>
 inline constexpr auto enum_names<AtlasPartition> = enum_words("rcb", "graph");
 template <>
 inline constexpr auto enum_names<Diagonals> = enum_words("shared", "overscan");
+template <>
+inline constexpr auto enum_names<UvOverlap> = enum_words("refuse", "first");
 
 /// A user's choices for an atlas.
 struct AtlasOptions {
@@ -58,7 +68,17 @@ struct AtlasOptions {
     Diagonals diagonals = Diagonals::shared;  ///< quad with bilinear overscan only
     /// Partitions to choose from, 1 to 6, besides two along creases if any; patch only.
     int tries = 4;
+    UvOverlap overlap = UvOverlap::refuse;  ///< uv only
+    /// Columns and rows of a texture that is not square, the larger of which is `size`; 0: `size`;
+    /// uv only.
+    std::uint32_t width = 0, height = 0;
+    /// The UDIM tile that the texture shows, such as 1001 for [0, 1] x [0, 1]; 0: the coordinates
+    /// must lie in that square; uv only.
+    std::uint32_t tile = 0;
     bool operator==(const AtlasOptions&) const = default;
+
+    std::uint32_t columns() const { return width == 0 ? size : width; }
+    std::uint32_t rows() const { return height == 0 ? size : height; }
 };
 
 /// Largest side of a texture, in texels.
@@ -109,6 +129,9 @@ struct LayoutNotes {
     std::uint64_t narrowed_gutters = 0;  ///< blocks too small for the gutter asked for (quad)
     std::uint64_t shared_texels = 0;     ///< texels that stand for several pairs or singles (quad)
     std::uint64_t shared_triangles = 0;  ///< triangles on shared texels (quad)
+    std::uint64_t overlapped_texels = 0;      ///< texels with more than one triangle's inside (uv)
+    std::uint64_t overlapping_triangles = 0;  ///< triangles that share such a texel (uv)
+    std::uint64_t flat_triangles = 0;         ///< triangles without area in the texture (uv)
     std::string fallback;  ///< one sentence on why the kind is not the one asked for; else empty
 };
 
@@ -123,8 +146,8 @@ struct Atlas {
     std::uint32_t chart_count = 0;
     std::vector<Block> blocks;
     LayoutNotes notes;
-    /// Size of a compressed texture (atlas/blocks/compress_blocks.h) in texels; 0: options.size
-    /// both ways.
+    /// Size in texels of a compressed texture (atlas/blocks/compress_blocks.h), or of one that is
+    /// not square; 0: options.size both ways.
     std::uint32_t width = 0, height = 0;
 
     /// Width and height of the texture in texels.

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Makes all pictures of README.md and docs/guide/ anew, by Burl itself; those of materials are Blender's (materials.sh).
 #   docs/images/make.sh build/release/bin            all of them
-#   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials
-# Debian's packages netpbm (atlases, bumps), webp (tour, materials) and blender (materials) are needed.
+#   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials blender
+# Debian's packages netpbm (atlases, bumps), webp (tour, materials, blender) and blender (materials, blender) are needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 bin=$(cd "${1:?the folder of the programs is missing, such as build/release/bin}" && pwd)
@@ -69,7 +69,17 @@ materials() { # README, docs/guide/materials.md
     "$here/materials.sh" "$burl"
 }
 
-parts=(teapot atlases bumps turntable sheet editor tour figures materials)
+blender() { # docs/guide/blender.md
+    local run=(blender --background --factory-startup --python-exit-code 1 --python) addon=$here/../../app/blender/burl_addon.py
+    mkdir "$scratch/scripts"
+    export BLENDER_USER_SCRIPTS=$scratch/scripts
+    command "${run[@]}" "$here/blender.py" -- "$addon" "$burl" "$scratch/blender.png" >"$scratch/log"
+    command "${run[@]}" "$here/../../tests/peers/blender_addon.py" -- "$addon" "$burl" 512 "$scratch/nodes.png" >"$scratch/log"
+    cwebp -quiet -q 85 "$scratch/blender.png" -o "$here/blender.webp"
+    cwebp -quiet -q 88 "$scratch/nodes.png" -o "$here/blender-nodes.webp"
+}
+
+parts=(teapot atlases bumps turntable sheet editor tour figures materials blender)
 for part in "${@:-${parts[@]}}"; do
     [[ " ${parts[*]} " == *" $part "* ]] || { echo "$part is no picture: name some of ${parts[*]}" >&2; exit 1; }
     echo "$part"

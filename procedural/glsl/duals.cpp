@@ -145,6 +145,11 @@ GlslDuals::Names GlslDuals::step(const MaskRead&) {
     return {constant(0.0)};
 }
 
+/// No shader is written of Blender's functions, either.
+GlslDuals::Names GlslDuals::step(const BlenderCall&) {
+    return {constant(0.0), constant(0.0), constant(0.0)};
+}
+
 GlslDuals::Names GlslDuals::step(const SlopeAlong& slope) {
     return {dual(fmt::format("dual(dot_of({}, {}.yzw))", real3(slope.direction), in(0)))};
 }

@@ -135,10 +135,13 @@ std::string too_many_stops(const TextureGraph& graph) {
     return "";
 }
 
-/// The reason why a graph that reads a mask has no shader; empty where it reads none.
+/// The reason why a graph that reads a mask, or a node of Blender's, has no shader; empty where it
+/// reads none.
 std::string masks_problem(const TextureGraph& graph, GraphOutput output) {
-    const std::string mask = first_mask_node(graph, output);
-    return mask.empty() ? "" : no_texels_for(mask);
+    if (const std::string mask = first_mask_node(graph, output); !mask.empty())
+        return no_texels_for(mask);
+    const std::string node = first_host_node(graph, output);
+    return node.empty() ? "" : fmt::format("its node \"{}\" is evaluated on the host alone", node);
 }
 
 void check(const std::string& why, const char* what = "texture") {

@@ -159,4 +159,9 @@ GlslStep GlslSteps::step(const MaskRead&, const Inputs&) {
     return {"", {number(0.0)}};
 }
 
+/// No shader is written of Blender's functions, either.
+GlslStep GlslSteps::step(const BlenderCall&, const Inputs&) {
+    return {"", {number(0.0), number(0.0), number(0.0)}};
+}
+
 }  // namespace burl

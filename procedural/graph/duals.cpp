@@ -151,6 +151,18 @@ DualFunction dual_function(const MaskRead& work, const DualSettings&) {
         [=](const DualCall& call, std::size_t i) { return call.mask(work.mask, i); });
 }
 
+DualFunction dual_function(const BlenderCall& work, const DualSettings&) {
+    return [work](const DualCall& call) {
+        const std::size_t count = std::ranges::find(call.inputs, nullptr) - call.inputs.begin();
+        std::array<Dual, most_step_inputs> in;
+        for (std::size_t i = 0; i < call.count(); ++i) {
+            for (std::size_t k = 0; k < count; ++k) in[k] = call.in(k, i);
+            const auto out = blender_value<Dual>(work, {in.data(), count});
+            for (std::size_t c = 0; c < 3 && call.outputs[c]; ++c) call.outputs[c]->set(i, out[c]);
+        }
+    };
+}
+
 DualFunction dual_function(const SlopeAlong& work, const DualSettings&) {
     return of_one([d = work.direction](const Dual& x) { return glm::dot(d, x.slope); });
 }

@@ -64,6 +64,14 @@ std::string first_mask_node(const TextureGraph& graph, GraphOutput output) {
     return "";
 }
 
+std::string first_host_node(const TextureGraph& graph, GraphOutput output) {
+    const std::vector<bool> nodes = nodes_read(graph, output);
+    for (std::size_t n = 1; n < graph.nodes.size(); ++n)
+        if (nodes[n] && type_of(graph.nodes[n]).name.starts_with("blender_"))
+            return std::string(type_of(graph.nodes[n]).name);
+    return "";
+}
+
 bool has_slopes(const TextureGraph& graph, GraphOutput output) {
     const std::vector<bool> nodes = nodes_read(graph, output);
     for (std::size_t n = 1; n < graph.nodes.size(); ++n)

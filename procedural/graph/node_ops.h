@@ -87,7 +87,7 @@ class NodeOps : public NodeParameters {
 namespace burl::nodes {
 
 using Outputs = std::vector<Register>;
-using Inputs = std::array<NodeInput, 4>;
+using Inputs = std::array<NodeInput, 7>;
 using Parameters = std::array<Parameter, 10>;
 
 /// The parameter of a number.
@@ -148,6 +148,7 @@ std::span<const NodeType> channels();
 std::span<const NodeType> patterns();
 std::span<const NodeType> tiles();
 std::span<const NodeType> noises();
+std::span<const NodeType> blender_nodes();
 std::span<const NodeType> masks();
 std::span<const NodeType> points();
 

@@ -3,11 +3,13 @@
 // number per point. The nodes' definitions (node_ops.h) add the steps. Three back ends execute or
 // write them: values alone (values.h), values with gradients (duals.h, evaluator.h), and GLSL with
 // gradients (glsl/duals.h). A mean over the footprint is, of a point sample, the function itself.
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <variant>
 #include <vector>
 
+#include "procedural/blender/call.h"
 #include "procedural/graph/graph.h"
 #include "procedural/graph/scattered_shapes.h"
 #include "procedural/graph/step_registers.h"
@@ -150,13 +152,14 @@ struct MaskRead {
 };
 
 /// The work of a step.
-using GraphWork =
-    std::variant<ValueOperation, BoxMean, BoxPulse, BoxStep, PositiveTurn, SlopeAlong, Checkerboard,
-                 OctaveSum, SimplexOctaves, CurlOctaves, FieldAt, MapColors, MarbleColors,
-                 DotsWeight, CellNumber, CellFeature, ScatteredShapes, ImageColors, MaskRead>;
+using GraphWork = std::variant<ValueOperation, BoxMean, BoxPulse, BoxStep, PositiveTurn, SlopeAlong,
+                               Checkerboard, OctaveSum, SimplexOctaves, CurlOctaves, FieldAt,
+                               MapColors, MarbleColors, DotsWeight, CellNumber, CellFeature,
+                               ScatteredShapes, ImageColors, MaskRead, BlenderCall>;
 
 /// The largest number of registers that a step reads.
-inline constexpr std::size_t most_step_inputs = most_simplex_dimensions;
+inline constexpr std::size_t most_step_inputs =
+    std::max(most_simplex_dimensions, most_blender_inputs);
 
 /// A step of a program: work with the registers that it reads and fills.
 struct GraphStep {

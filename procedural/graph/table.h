@@ -66,7 +66,7 @@ struct NodeType {
     /// the point that it makes.
     std::vector<Register> (*define)(NodeOps& node) = nullptr;
     std::string_view text, source;
-    std::array<NodeInput, 4> input_list{};
+    std::array<NodeInput, 7> input_list{};
     std::array<Parameter, 10> parameter_list{};
     NodeMask mask{};
 

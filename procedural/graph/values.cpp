@@ -77,6 +77,7 @@ class Lowering {
             program_.begin_node(step.node);
             inputs_ = step.inputs;
             node_ = step.node;
+            outputs_ = step.outputs.size();
             std::visit([&](const auto& work) { lower(work); }, step.work);
         }
         std::vector<Register> results;
@@ -265,11 +266,13 @@ class Lowering {
     }
 
     void lower(const MaskRead& read) { give(read); }
+    void lower(const BlenderCall& call) { give(call, outputs_); }
 
     const TextureGraph& graph_;
     ValueProgram& program_;
     std::vector<LoweredValue> values_;  ///< values of the graph, by register
     std::vector<Register> inputs_;      ///< inputs of the step that is being lowered
+    std::size_t outputs_ = 0;           ///< number of its results
     std::uint32_t node_ = 0;
 };
 

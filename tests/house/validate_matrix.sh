@@ -37,6 +37,15 @@ if [ -n "$burl" ]; then
             "$burl" bake "$source" -o "${source%.gltf}.$atlas.glb" --atlas $atlas --size 128 --recipe hammered \
                 >/dev/null 2>&1 || { echo "burl bake failed on $source, $atlas"; exit 1; }
         done
+        "$burl" bake "$source" -o "${source%.gltf}.webp.glb" --size 128 --recipe hammered --picture-format webp \
+            >/dev/null 2>&1 || { echo "burl bake failed on $source, webp"; exit 1; }
+    done
+    for coding in jpeg webp webp:80; do
+        for file in glb gltf; do
+            "$burl" bake "$meshes/king.obj" -o "$scratch/pictures.$(echo $coding | tr : .).$file" --size 256 --levels 3 \
+                --recipe brushed-steel --picture-format $coding \
+                >/dev/null 2>&1 || { echo "burl bake failed on $coding, $file"; exit 1; }
+        done
     done
     for recipe in "$here"/../../assets/materials/*.json; do
         material=$(basename "$recipe" .json)

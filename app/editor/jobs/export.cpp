@@ -64,7 +64,8 @@ std::vector<std::string> written_files(const ExportRequest& request) {
     if (!request.recipe.animation.tracks.empty()) return files_of_frames(request);
     std::vector<std::string> files =
         files_of_texture(request, request.out, export_levels(request).count);
-    for (const std::string& mask : request.masks) files.push_back(picture_path(request.out, mask));
+    for (const std::string& mask : request.masks)
+        files.push_back(picture_path(request.out, mask, coding_asked("", request.out).format));
     return files;
 }
 
@@ -81,6 +82,7 @@ void check_outputs(const ExportRequest& request) {
 BakePlan plan_of(const ExportRequest& request) {
     BakePlan plan;
     plan.kind = wanted_kind(request.out, export_depth);
+    plan.coding = coding_asked("", request.out);
     plan.depth = export_depth;
     plan.levels = export_levels(request);
     plan.normals = normals_asked("", request.recipe, request.out);

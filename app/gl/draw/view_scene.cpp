@@ -4,12 +4,14 @@
 
 #include <optional>
 
+#include <fmt/format.h>
 #include <tbb/parallel_invoke.h>
 
 #include "app/export/vertices.h"
 #include "app/surface/normals.h"
 #include "app/surface/tangents.h"
 #include "atlas/base/each_index.h"
+#include "atlas/base/error.h"
 #include "atlas/build/mesh_atlas.h"
 
 namespace burl {
@@ -92,6 +94,10 @@ std::vector<Vec3f> normals_of(Pipeline& pipeline, double crease_degrees) {
 }  // namespace
 
 SceneParts scene_parts(Pipeline& pipeline, double crease_degrees) {
+    if (const AtlasOptions& atlas = pipeline.recipe().atlas; atlas.columns() != atlas.rows())
+        throw Error(ExitCode::unsupported,
+                    fmt::format("a texture of {} x {} texels is baked but not drawn; use --size {}",
+                                atlas.columns(), atlas.rows(), atlas.size));
     SceneParts parts;
     parts.normals = normals_of(pipeline, crease_degrees);
     parts.input = &pipeline.mesh();

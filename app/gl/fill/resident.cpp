@@ -222,7 +222,9 @@ std::string GlPictureMaker::problem(const Recipe& recipe) const {
         return "filtered materials are made on the host alone";
     if (std::string why = graph_.problem(recipe.texture, recipe.filter); !why.empty()) return why;
     const std::string mask = first_mask_node(recipe.texture, GraphOutput::planes);
-    return mask.empty() ? "" : no_texels_for(mask);
+    if (!mask.empty()) return no_texels_for(mask);
+    const std::string node = first_host_node(recipe.texture, GraphOutput::planes);
+    return node.empty() ? "" : fmt::format("its node \"{}\" is evaluated on the host alone", node);
 }
 
 bool GlPictureMaker::makes_bumps(const Recipe& recipe) const {

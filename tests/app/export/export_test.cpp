@@ -33,11 +33,13 @@ TEST(Export, UnknownExtensionsAreAUsageErrorThatListsTheKnown) {
     for (const std::string name : {"a.xyz", "a", "glb", "a.glb.bak", ""}) {
         const auto [code, message] = failure([&] { output_paths(folder / name); });
         EXPECT_EQ(code, ExitCode::usage) << name;
-        for (const char* known : {".glb", ".gltf", ".obj", ".png", ".exr"}) {
+        for (const char* known :
+             {".glb", ".gltf", ".obj", ".png", ".jpg", ".webp", ".ktx2", ".exr"}) {
             EXPECT_NE(message.find(known), std::string::npos) << message;
         }
     }
-    for (const char* name : {"a.glb", "a.GLB", "b.Gltf", "c.obj", "d.png", "e.exr"}) {
+    for (const char* name : {"a.glb", "a.GLB", "b.Gltf", "c.obj", "d.png", "e.exr", "f.jpg",
+                             "f.JPEG", "g.webp", "h.ktx2"}) {
         EXPECT_NO_THROW(output_paths(folder / name)) << name;
     }
 }
@@ -62,6 +64,13 @@ TEST(Export, NamesItsFilesAndItsImage) {
     EXPECT_EQ(output_paths("a.b.gltf"),
               (std::vector<std::string>{"a.b.gltf", "a.b.bin", "a.b.png"}));
     EXPECT_EQ(output_paths("a.glb"), (std::vector<std::string>{"a.glb"}));
+    EXPECT_EQ(output_paths("a.jpeg", 1, true, {"orm"}, true),
+              (std::vector<std::string>{"a.jpeg", "a.1.jpg", "a_normal.jpg", "a_normal.1.jpg",
+                                        "a_orm.jpg", "a_orm.1.jpg"}));
+    EXPECT_EQ(output_paths("a.ktx2", 5, true, {"orm"}),
+              (std::vector<std::string>{"a.ktx2", "a_normal.ktx2", "a_orm.ktx2"}));
+    EXPECT_EQ(output_paths("a.gltf", 1, false, {}, false, TextureFormat::webp),
+              (std::vector<std::string>{"a.gltf", "a.bin", "a.webp", "a.1.webp"}));
     EXPECT_EQ(wanted_kind("a.exr", 8), ImageKind::rgb_float);
     EXPECT_EQ(wanted_kind("a.png", 16), ImageKind::rgb16);
     EXPECT_EQ(wanted_kind("a.glb", 8), ImageKind::rgb8);
@@ -86,6 +95,23 @@ TEST(Export, PicturesHoldImagesOfEitherDepth) {
     }
 }
 
+TEST(Export, PicturesAreCodedAsAskedOrAsTheOutputIsCalled) {
+    EXPECT_EQ(coding_asked("", "a.glb").format, TextureFormat::png);
+    EXPECT_EQ(coding_asked("", "a.JPG").format, TextureFormat::jpeg);
+    EXPECT_EQ(coding_asked("webp:80", "a.obj").quality, 80);
+    EXPECT_EQ(coding_asked("jpeg:80", "a.jpeg").quality, 80);
+    EXPECT_EQ(coding_asked("ktx2", "a.obj").format, TextureFormat::ktx2);
+    for (const auto& [text, path, why] : {std::array{"webp", "a.jpg", "extension"},
+                                          {"png", "a.ktx2", "extension"},
+                                          {"ktx2", "a.glb", "Basis"},
+                                          {"ktx2:3", "a.gltf", "Basis"},
+                                          {"tiff", "a.glb", "must be"}}) {
+        const auto [code, message] = failure([&] { coding_asked(text, path); });
+        EXPECT_EQ(code, ExitCode::usage) << text;
+        EXPECT_NE(message.find(why), std::string::npos) << message;
+    }
+}
+
 TEST(Export, AFullDiskLeavesNothing) {
     const ScratchFolder folder;
     const Mesh mesh = sphere_mesh(30, 40);
@@ -93,14 +119,17 @@ TEST(Export, AFullDiskLeavesNothing) {
     rlimit before{};
     ::getrlimit(RLIMIT_FSIZE, &before);
     const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-    for (const char* name : {"a.glb", "a.gltf", "a.obj", "a.png", "a.exr"}) {
-        const rlimit limit{200, before.rlim_max};
+    for (const char* name :
+         {"a.glb", "a.gltf", "a.obj", "a.png", "a.exr", "a.jpg", "a.webp", "a.ktx2"}) {
+        const rlimit limit{40, before.rlim_max};
         ::setrlimit(RLIMIT_FSIZE, &limit);
         const BakedImage image = wanted_kind(name, 8) == ImageKind::rgb_float
                                      ? BakedImage(Image<RgbF>(64, 64))
                                      : sample_image(64);
+        ExportOptions options;
+        options.coding = coding_asked("", name);
         const auto [code, message] =
-            failure([&] { export_scene(folder / name, mesh, atlas, image, {}); });
+            failure([&] { export_scene(folder / name, mesh, atlas, image, options); });
         ::setrlimit(RLIMIT_FSIZE, &before);
         EXPECT_EQ(code, ExitCode::io) << name;
         EXPECT_NE(message.find("File too large"), std::string::npos) << message;

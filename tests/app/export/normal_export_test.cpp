@@ -95,7 +95,8 @@ TEST(NormalExport, ObjMaterialsNameOnlyTangentSpace) {
     const Mesh mesh = cube_mesh();
     const Atlas atlas = pair_atlas(mesh, 64);
     export_scene(folder / "a.obj", mesh, atlas, sample_image(64), with_normals(true));
-    EXPECT_THAT(text_of(folder / "a.mtl"), HasSubstr("\nnorm a_normal.png\n"));
+    EXPECT_THAT(text_of(folder / "a.mtl"),
+                HasSubstr("\nnorm a_normal.png\nmap_Bump -bm 1 a_normal.png\n"));
     export_scene(folder / "b.obj", mesh, atlas, sample_image(64), with_normals(false));
     EXPECT_THAT(text_of(folder / "b.mtl"), Not(HasSubstr("norm")));
     EXPECT_TRUE(std::filesystem::exists(folder / "b_normal.png"));

@@ -32,11 +32,11 @@ Image<RgbF> in_halves(Image<RgbF> image) {
     return image;
 }
 
-Image<RgbF> read_image(const std::string& path) {
+Image<RgbF> read_image(const std::string& path, Imf::PixelType type = Imf::HALF) {
     Imf::InputFile file(path.c_str());
     const Imath::Box2i window = file.header().dataWindow();
     EXPECT_EQ(file.header().compression(), Imf::ZIP_COMPRESSION);
-    EXPECT_EQ(file.header().channels().findChannel("G")->type, Imf::HALF);
+    EXPECT_EQ(file.header().channels().findChannel("G")->type, type);
     const auto width = std::size_t(window.max.x + 1), height = std::size_t(window.max.y + 1);
     Image<RgbF> image(width, height);
     char* base = reinterpret_cast<char*>(&image(0, 0));
@@ -49,6 +49,25 @@ Image<RgbF> read_image(const std::string& path) {
     file.setFrameBuffer(frame);
     file.readPixels(0, int(height) - 1);
     return image;
+}
+
+TEST(Exr, KeepsEveryBitOfFullFloats) {
+    const ScratchFolder folder;
+    const Image<RgbF> image = ramp(37, 300);
+    write_exr(folder / "a.exr", image, ExrDepth::full).commit();
+    EXPECT_EQ(read_image(folder / "a.exr", Imf::FLOAT), image);
+    const auto in_pieces = [&](const RowSink& sink) {
+        for (std::size_t begin = 0; begin < 300; begin += 70) {
+            const std::size_t count = std::min<std::size_t>(70, 300 - begin);
+            Image<RgbF> rows(37, count);
+            for (std::size_t y = 0; y < count; ++y)
+                std::ranges::copy(image.row(begin + y), rows.row(y).begin());
+            sink(rows);
+        }
+    };
+    write_exr_rows(folder / "b.exr", 37, 300, in_pieces, ExrDepth::full).commit();
+    EXPECT_EQ(read_image(folder / "b.exr", Imf::FLOAT), image);
+    EXPECT_NE(in_halves(image), image);
 }
 
 TEST(Exr, ComesBackInHalvesWithinTheirPrecision) {

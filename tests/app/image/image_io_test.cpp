@@ -99,7 +99,7 @@ TEST(Png, SixteenBitSamplesAreBigEndian) {
 }
 
 TEST(Png, ComesPieceByPieceWithTheSameBytes) {
-    const Image<Rgb8> image = pattern8(700, 300);
+    const Image<Rgb8> image = pattern8(1000, 1500);  // nine bands
     std::vector<std::uint8_t> bytes;
     std::size_t largest = 0, pieces = 0;
     encode_png(image, [&](std::span<const std::uint8_t> piece) {

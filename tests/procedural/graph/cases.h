@@ -24,6 +24,7 @@ inline constexpr std::array graph_cases{
     GraphCase{"constant", R"({"node": "constant", "value": "#8040c0a0"})"},
     GraphCase{"coordinate",
               R"({"node": "coordinate", "direction": [0.5, -2, 1.5], "offset": 0.3})"},
+    GraphCase{"point", R"({"node": "point"})"},
     GraphCase{"add", R"({"node": "add", "a": {"node": "fbm"}, "b": {"node": "coordinate"}})"},
     GraphCase{"subtract",
               R"({"node": "subtract", "a": {"node": "fbm"}, "b": {"node": "coordinate"}})"},

@@ -1,0 +1,70 @@
+// What a bake's pictures can hold: their format against what else the command asks for.
+#include "app/bake/job.h"
+
+#include <fmt/format.h>
+
+#include "app/base/messages.h"
+#include "app/pipeline/material.h"
+#include "atlas/base/error.h"
+
+namespace burl {
+
+/// Throws Error(usage) where the pictures cannot have what else is asked for.
+void BakeJob::check_coding() const {
+    const TextureFormat format = plan_.coding.format;
+    const auto refuse = [&](std::string_view what, const std::string& why) {
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: {} with pictures in {}: {}; write them in png", command_.out,
+                                what, to_string(format), why));
+    };
+    if (command_.depth == 32 && plan_.kind != ImageKind::rgb_float)
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --depth 32: only an .exr has 32-bit floats", command_.out));
+    const bool beside = has_normals() || !command_.channels.empty();
+    const bool pictures = holds_mesh(command_.out)
+                              ? holds_colors(command_.out) && !command_.vertex_colors
+                              : plan_.kind != ImageKind::rgb_float || beside;
+    if (!pictures && !command_.picture_format.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --picture-format does nothing: the output has no pictures; "
+                                "leave it out",
+                                command_.out));
+    if (format == TextureFormat::png) return;
+    if (plan_.depth == 16 && command_.depth != 32) refuse("--depth 16", "its codes have 8 bits");
+    if (recipe().atlas.size > most_pixels(format) && plan_.kind != ImageKind::rgb_float)
+        refuse(fmt::format("--size {}", recipe().atlas.size),
+               fmt::format("it has at most {} pixels a side", most_pixels(format)));
+    if (format != TextureFormat::jpeg || plan_.kind == ImageKind::rgb_float) return;
+    if (is_transparent(recipe())) refuse("opacity", "it has no alpha");
+    for (const MaterialPicture& picture :
+         material_pictures(recipe(), plan_.packing, plan_.material().rough_levels()))
+        if (picture.components == 4)
+            refuse(fmt::format("the picture {}", picture.name), "it has no alpha");
+}
+
+/// Warns of 16 bits in a glTF.
+void BakeJob::warn_of_depth() const {
+    if (plan_.depth != 16 || !is_gltf(command_.out) || command_.vertex_colors) return;
+    warn(
+        fmt::format("{}: viewers cut 16 bits to 8, and those that do not, such as VTK's, show "
+                    "them too light, since OpenGL has no 16-bit sRGB; leave --depth 16 out unless "
+                    "the file goes elsewhere",
+                    command_.out));
+}
+
+/// Throws Error(usage) where --displace cannot be had with what else is asked for.
+void BakeJob::check_displacement() const {
+    if (!command_.displace) return;
+    const auto refuse = [&](const char* why) {
+        throw Error(ExitCode::usage, fmt::format("{}: --displace: {}", command_.out, why));
+    };
+    if (!holds_mesh(command_.out))
+        refuse("a texture alone has no points to move; write .glb, .gltf or .obj, or leave it out");
+    if (recipe().bump.empty())
+        refuse("the recipe has no height; add material.height, or leave --displace out");
+    if (has_normals())
+        refuse("the normal map would show the same height once more; leave --normals out");
+    if (!command_.pose.empty()) refuse("a pose has points of its own; leave one of the two out");
+}
+
+}  // namespace burl
