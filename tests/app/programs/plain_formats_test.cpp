@@ -157,7 +157,8 @@ std::vector<std::array<int, 3>> evaluated(const Scratch& scratch, const std::str
         run_burl(scratch, fmt::format("eval {} --points '{}' --json", recipe, file));
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     std::vector<std::array<int, 3>> codes;
-    for (const auto& point : nlohmann::json::parse(ran.out)["points"]) {
+    const nlohmann::json result = nlohmann::json::parse(ran.out);
+    for (const auto& point : result["points"]) {
         const std::string hex = point["float64"]["srgb"].get<std::string>().substr(1);
         codes.push_back({std::stoi(hex.substr(0, 2), nullptr, 16),
                          std::stoi(hex.substr(2, 2), nullptr, 16),
