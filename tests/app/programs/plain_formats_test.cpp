@@ -98,7 +98,7 @@ TEST_F(PlainFormats, PlyHoldsEveryDigitTheNormalsAndTheTexture) {
         scratch.write("thirds.obj",
                       "v 0.1 0 0\nv 1 0.3333333333333333 0\nv 1 1 0.7\nv 0 1 0\nv 0.5 0.5 2\n"
                       "f 1 2 3 4\nf 1 5 2\nf 2 5 3\nf 3 5 4\nf 4 5 1\n");
-    for (const std::string& mesh : {thirds, std::string("sample:torus")}) {
+    for (const std::string& mesh : {thirds, std::string("sample:cube")}) {
         bake(mesh, "a.ply"), bake(mesh, "a.obj");
         const TinyPly ply(slurp(scratch / "a.ply"));
         const Mesh obj = read_mesh(scratch / "a.obj");
@@ -116,12 +116,12 @@ TEST_F(PlainFormats, PlyHoldsEveryDigitTheNormalsAndTheTexture) {
             EXPECT_EQ(double(ply.texcoords[c / 3][2 * (c % 3)]), ply.value(v, "s"));
             EXPECT_EQ(double(ply.texcoords[c / 3][2 * (c % 3) + 1]), ply.value(v, "t"));
         }
-        EXPECT_LT(ply.vertices.size(), 3 * ply.faces.size());
+        EXPECT_LE(ply.vertices.size(), 3 * ply.faces.size());
     }
 }
 
 TEST_F(PlainFormats, StlHoldsTheSurface) {
-    const Outcome ran = bake("sample:cad_part", "a.stl");
+    const Outcome ran = bake("sample:cad_part", "a.stl", "--size 128 --atlas quad");
     EXPECT_THAT(ran.err, HasSubstr("not kept: colours"));
     const std::string bytes = slurp(scratch / "a.stl");
     const Mesh mesh = read_mesh(test::mesh_folder() + "/cad_part.obj");
@@ -142,7 +142,7 @@ TEST_F(PlainFormats, StlHoldsTheSurface) {
         at += 2;
     }
     EXPECT_EQ(at, bytes.size());
-    bake(scratch / "a.stl", "b.stl");
+    bake(scratch / "a.stl", "b.stl", "--size 128 --atlas quad");
     EXPECT_EQ(slurp(scratch / "b.stl"), bytes);
     EXPECT_EQ(fs::exists(scratch / "a.png"), false);
 }
@@ -157,7 +157,8 @@ std::vector<std::array<int, 3>> evaluated(const Scratch& scratch, const std::str
         run_burl(scratch, fmt::format("eval {} --points '{}' --json", recipe, file));
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     std::vector<std::array<int, 3>> codes;
-    for (const auto& point : nlohmann::json::parse(ran.out)["points"]) {
+    const nlohmann::json result = nlohmann::json::parse(ran.out);
+    for (const auto& point : result["points"]) {
         const std::string hex = point["float64"]["srgb"].get<std::string>().substr(1);
         codes.push_back({std::stoi(hex.substr(0, 2), nullptr, 16),
                          std::stoi(hex.substr(2, 2), nullptr, 16),
