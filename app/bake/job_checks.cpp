@@ -1,4 +1,5 @@
-// What a bake's pictures can hold: their format against what else the command asks for.
+// Checks of a bake: the format of its pictures, and displacement, against what else the command
+// asks for.
 #include "app/bake/job.h"
 
 #include <fmt/format.h>

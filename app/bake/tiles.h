@@ -1,5 +1,5 @@
 #pragma once
-// What bakes of a mesh's own texture coordinates add: an image for each UDIM tile, and textures
+// Additions to bakes of a mesh's own texture coordinates: an image for each UDIM tile, and textures
 // that are not square.
 #include <span>
 #include <string>

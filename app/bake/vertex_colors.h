@@ -17,7 +17,8 @@ std::vector<Vec4f> vertex_colors(const Recipe& recipe, const Mesh& mesh);
 /// which would do nothing.
 void check_vertex_colors(const std::string& out, const RecipeOptions& recipe);
 
-/// What the recipe has besides numbers and the base colour, which vertex colours do not hold.
+/// The names of all that the recipe has besides numbers and the base colour, which vertex colours
+/// do not hold.
 std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe);
 
 /// Writes the mesh with the colours of its points; there is no atlas and no image. Throws Error as

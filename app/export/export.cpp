@@ -234,10 +234,6 @@ bool holds_colors(const std::string& out_path) {
     return holds_mesh(out_path) && format_of(out_path) != Format::stl;
 }
 
-bool is_obj(const std::string& out_path) {
-    return format_of(out_path).format == Format::obj;
-}
-
 ImageKind wanted_kind(const std::string& out_path, int depth) {
     if (format_of(out_path) == Format::exr) return ImageKind::rgb_float;
     return depth == 16 ? ImageKind::rgb16 : ImageKind::rgb8;

@@ -120,9 +120,6 @@ bool is_gltf(const std::string& out_path);
 /// Whether the format is .obj. Throws Error(usage) for an unknown extension.
 bool is_obj(const std::string& out_path);
 
-/// Whether the format is .obj. Throws Error(usage) for an unknown extension.
-bool is_obj(const std::string& out_path);
-
 /// Whether the file contains the mesh with its texture, rather than the texture alone. Throws
 /// Error(usage) for an unknown extension.
 bool holds_mesh(const std::string& out_path);

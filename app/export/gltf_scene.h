@@ -33,7 +33,7 @@ TextureFilter baked_filter(const AtlasOptions& atlas);
 /// A glTF sampler for it.
 nlohmann::ordered_json gltf_sampler(const AtlasOptions& atlas);
 
-/// What `asset.extras.burl` says of a bake: its atlas, and its recipe where there is one.
+/// The value of `asset.extras.burl`: the bake's atlas, and its recipe where there is one.
 nlohmann::ordered_json burl_extras(const SceneContent& content);
 
 /// Builds meshes (one per part, one primitive each), nodes (one per placement), material, sampler

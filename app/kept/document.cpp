@@ -178,11 +178,13 @@ void KeptDocument::use_extension(const std::string& name) {
 }
 
 void KeptDocument::forget_extension(const std::string& name) {
-    if (!json.contains("extensionsUsed")) return;
-    Json& used = json["extensionsUsed"];
-    const auto found = std::ranges::find(used, Json(name));
-    if (found != used.end()) used.erase(found);
-    if (used.empty()) json.erase("extensionsUsed");
+    for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+        if (!json.contains(list)) continue;
+        Json& names = json[list];
+        const auto found = std::ranges::find(names, Json(name));
+        if (found != names.end()) names.erase(found);
+        if (names.empty()) json.erase(list);
+    }
 }
 
 bool KeptDocument::knows_references() const {

@@ -49,7 +49,7 @@ class KeptDocument {
     Json json;
     /// Sentences about what of the file the document could not keep.
     std::vector<std::string> losses{};
-    /// What `asset.extras.burl` is to say of the bakes, one after the other.
+    /// Values for `asset.extras.burl`, a bake after the other.
     std::vector<Json> bakes{};
     /// The uris of images that were added and lie beside the output.
     std::vector<std::string> new_uris{};

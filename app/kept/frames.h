@@ -12,7 +12,7 @@
 
 namespace burl {
 
-/// What corners (3t+k) have besides the file's attributes, in the space of the carved mesh.
+/// Values that corners (3t+k) have besides the file's attributes, in the space of the carved mesh.
 class KeptFrames {
   public:
     /// Tangents are made where the content has a normal map.

@@ -42,8 +42,8 @@ void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& 
 std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content,
                                    std::span<const CornerOrigin> corners);
 
-/// What of a glTF's document an output does not hold that has the mesh alone; empty where that is
-/// everything, and for a mesh of another format.
+/// Names of all in a glTF's document that an output with the mesh alone does not hold; empty where
+/// there is nothing, and for a mesh of another format.
 std::vector<std::string> losses_of_flat(const std::string& mesh_path);
 
 /// One sentence that names losses.

@@ -68,17 +68,20 @@ void write_pieces(AtomicFile& file, const std::vector<std::span<const std::uint8
     }
 }
 
+/// Whether an object anywhere in the value has the extension.
+bool has_extension(const Json& value, const char* name) {
+    if (!value.is_structured()) return false;
+    if (value.is_object() && value.contains("extensions") && value["extensions"].contains(name))
+        return true;
+    return std::ranges::any_of(value, [&](const Json& part) { return has_extension(part, name); });
+}
+
 /// Takes extensions off the lists that only described what has been replaced, and says in
 /// asset.extras what was baked: an object, or a list of several.
 void tidy(KeptDocument& document) {
-    const auto compressed = [](const Json& primitive) {
-        return primitive.contains(Json::json_pointer("/extensions/KHR_draco_mesh_compression"));
-    };
-    if (std::ranges::none_of(document.json["meshes"], [&](const Json& mesh) {
-            return std::ranges::any_of(mesh["primitives"], compressed);
-        }))
-        document.forget_extension("KHR_draco_mesh_compression");
-    document.forget_extension("EXT_meshopt_compression");
+    for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                             "EXT_texture_webp", "KHR_texture_basisu", "KHR_texture_transform"})
+        if (!has_extension(document.json, name)) document.forget_extension(name);
     Json& extras = document.json["asset"]["extras"];
     if (!extras.is_object()) extras = Json::object();
     extras["burl"] = document.bakes.size() == 1 ? document.bakes.front() : Json(document.bakes);
@@ -93,8 +96,8 @@ std::uint64_t length_of(const Json& document) {
 
 std::vector<AtomicFile> write_kept(KeptDocument& document, const std::string& path) {
     const bool is_glb = lower_extension(path) == ".glb";
-    tidy(document);
     document.drop_unused();
+    tidy(document);
     embed_images(document, path, is_glb);
     const auto pieces = document.lay_out();
     std::vector<AtomicFile> files;

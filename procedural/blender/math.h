@@ -1,6 +1,6 @@
 #pragma once
 // The operations of Blender's nodes Math, Vector Math and Map Range, as its manual describes them.
-// What is not defined gives 0.
+// Operations give 0 where they are not defined.
 #include "procedural/blender/number.h"
 
 namespace burl::blender {

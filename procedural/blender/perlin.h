@@ -38,7 +38,7 @@ T noise(const Triple<T>& p) {
     return T(0.982) * blended(w, plane(0), plane(1));
 }
 
-/// The same noise, from 0 to 1.
+/// The noise of noise(), moved to the range from 0 to 1.
 template <class T>
 T unit_noise(const Triple<T>& p) {
     return T(0.5) * noise(p) + T(0.5);

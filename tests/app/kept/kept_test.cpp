@@ -28,12 +28,12 @@ Json document_of(const std::string& path) {
     return Json::parse(split_gltf(read_file(path)).json);
 }
 
-/// Values of a vertex, attribute after attribute.
-using Values = std::vector<double>;
+/// VertexValues of a vertex, attribute after attribute.
+using VertexValues = std::vector<double>;
 
-/// Values of a primitive's vertices, and their triangles.
+/// VertexValues of a primitive's vertices, and their triangles.
 struct Triangles {
-    std::vector<Values> vertices;
+    std::vector<VertexValues> vertices;
     std::vector<std::array<std::size_t, 3>> corners;
 };
 
@@ -69,13 +69,13 @@ Triangles triangles_of(const tinygltf::Model& model, const tinygltf::Primitive& 
     return result;
 }
 
-Values mean(const Values& a, const Values& b) {
-    Values result;
+VertexValues mean(const VertexValues& a, const VertexValues& b) {
+    VertexValues result;
     for (std::size_t i = 0; i < a.size(); ++i) result.push_back(0.5 * a[i] + 0.5 * b[i]);
     return result;
 }
 
-double difference(const Values& a, const Values& b) {
+double difference(const VertexValues& a, const VertexValues& b) {
     double most = a.size() == b.size() ? 0.0 : 1e9;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
         most = std::max(most, std::abs(a[i] - b[i]));
@@ -84,8 +84,8 @@ double difference(const Values& a, const Values& b) {
 
 /// Where a vertex lies in a triangle of the file: exactly at a corner, or nearly half-way on an
 /// edge; nothing where it is neither.
-std::optional<Vec3d> barycentric(const Values& vertex, const std::array<Values, 3>& corners,
-                                 double tolerance) {
+std::optional<Vec3d> barycentric(const VertexValues& vertex,
+                                 const std::array<VertexValues, 3>& corners, double tolerance) {
     for (int k = 0; k < 3; ++k)
         if (vertex == corners[std::size_t(k)]) {
             Vec3d at(0.0);
@@ -93,7 +93,8 @@ std::optional<Vec3d> barycentric(const Values& vertex, const std::array<Values, 
             return at;
         }
     for (int k = 0; k < 3; ++k) {
-        const Values middle = mean(corners[std::size_t(k)], corners[std::size_t((k + 1) % 3)]);
+        const VertexValues middle =
+            mean(corners[std::size_t(k)], corners[std::size_t((k + 1) % 3)]);
         if (difference(vertex, middle) > tolerance) continue;
         Vec3d at(0.5);
         at[(k + 2) % 3] = 0.0;
@@ -107,8 +108,8 @@ std::optional<Vec3d> barycentric(const Values& vertex, const std::array<Values, 
 void expect_same_surface(const Triangles& file, const Triangles& made, double tolerance) {
     std::size_t next = 0;
     for (const auto& triangle : file.corners) {
-        const std::array<Values, 3> corners{file.vertices[triangle[0]], file.vertices[triangle[1]],
-                                            file.vertices[triangle[2]]};
+        const std::array<VertexValues, 3> corners{
+            file.vertices[triangle[0]], file.vertices[triangle[1]], file.vertices[triangle[2]]};
         double area = 0.0;
         while (area < 0.999) {
             ASSERT_LT(next, made.corners.size());
