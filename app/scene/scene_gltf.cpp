@@ -164,7 +164,9 @@ class GltfSceneLoader {
         };
         if (info.extensions.contains("KHR_texture_transform"))
             return leave_out("uses KHR_texture_transform");
-        if (info.texCoord != uv_set || surface.uvs.size() != surface.positions.size())
+        // Coordinates of another set are read with the colour.
+        if (info.texCoord != uv_set ||
+            (uv_set == 0 && surface.uvs.size() != surface.positions.size()))
             return leave_out("has other texture coordinates than the colour");
         if (!textures_.has_png(info.index)) return leave_out("is not a PNG that is there");
         surface.material.normals = textures_.load(info.index, false);
@@ -182,9 +184,9 @@ class GltfSceneLoader {
         if (material.alphaMode == "BLEND") surface.material.alpha = SceneAlpha::blend;
         surface.material.alpha_cutoff = float(material.alphaCutoff);
         const tinygltf::TextureInfo& info = material.pbrMetallicRoughness.baseColorTexture;
-        if (info.index >= 0) set_base_color(surface, primitive, info, where);
         if (material.normalTexture.index >= 0)
             set_normal_map(surface, material.normalTexture, info.texCoord, where);
+        if (info.index >= 0) set_base_color(surface, primitive, info, where);
         const int uv_set = surface.uvs.size() == surface.positions.size() ? info.texCoord : -1;
         read_gltf_material(
             material,

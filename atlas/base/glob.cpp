@@ -13,8 +13,8 @@ std::size_t character_size(std::string_view text) {
 
 }  // namespace
 
-// The text that the last * stands for grows by a character wherever what follows it does not fit; an
-// earlier * never needs to grow again.
+// The text that the last * stands for grows by a character wherever what follows it does not fit;
+// an earlier * never needs to grow again.
 bool matches_glob(std::string_view name, std::string_view pattern) {
     std::string_view grown, after_star;
     bool star = false;

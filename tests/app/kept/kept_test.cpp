@@ -28,10 +28,10 @@ Json document_of(const std::string& path) {
     return Json::parse(split_gltf(read_file(path)).json);
 }
 
-/// VertexValues of a vertex, attribute after attribute.
+/// Values of a vertex, attribute after attribute.
 using VertexValues = std::vector<double>;
 
-/// VertexValues of a primitive's vertices, and their triangles.
+/// Values of a primitive's vertices, and their triangles.
 struct Triangles {
     std::vector<VertexValues> vertices;
     std::vector<std::array<std::size_t, 3>> corners;
