@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Holds moments of an animated, skinned document that was baked back into itself to what three.js draws of it, unlit:
 #   animated.sh MODULES SCRATCH BURL GLTF_SAMPLES
-# `burl render --pose` must agree to 38 dB on the object's pixels. Exit 77 (skipped) where the other program is not installed.
+# `burl render --pose` must agree to 45 dB on the object's pixels. Exit 77 (skipped) where the other program is not installed.
 set -euo pipefail
 modules=$1 scratch=$2 burl=$3 samples=$4
 here=$(cd "$(dirname "$0")" && pwd)
@@ -29,7 +29,7 @@ for picture in "${pictures[@]}"; do
     "$burl" render "$file" -o "$ours" --pose "$animation@$moment" --unlit --filter mip --view $view --size ${side}x$side
     line=$("$burl" diff "$ours" "${file%.glb}@$moment.three.png" --surface --tolerance 1)
     echo "$picture: $line"
-    awk '{ for (i = 1; i < NF; ++i) if ($i == "PSNR" && $(i + 1) + 0 < 38) exit 1 }' <<<"$line" || bad=$((bad + 1))
+    awk '{ for (i = 1; i < NF; ++i) if ($i == "PSNR" && $(i + 1) + 0 < 45) exit 1 }' <<<"$line" || bad=$((bad + 1))
 done
-echo "$bad of ${#pictures[@]} pictures below 38 dB"
+echo "$bad of ${#pictures[@]} pictures below 45 dB"
 [[ $bad == 0 ]]
