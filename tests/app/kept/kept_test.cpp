@@ -17,6 +17,7 @@
 #include "atlas/gltf/accessor.h"
 #include "atlas/gltf/container.h"
 #include "atlas/gltf/document.h"
+#include "atlas/gltf/motion.h"
 #include "atlas/read/pose.h"
 #include "tests/app/support/kept_samples.h"
 #include "tests/app/support/scratch_folder.h"
@@ -329,6 +330,29 @@ TEST_F(KeptTest, StrictRefusesWhatAFormatCannotKeep) {
     }
     EXPECT_FALSE(std::filesystem::exists(out));
     bake(sample("plain"), folder / "b.glb", strict);
+}
+
+TEST_F(KeptTest, KeysOfThePoseAreAnAnimationOfTheSameWeights) {
+    for (const std::string ease : {"linear", "smooth"}) {
+        const std::string recipe = folder / "keyed.json", out = folder / (ease + ".glb");
+        std::ofstream(recipe)
+            << R"({"burl": 1, "animation": {"seconds": 4, "tracks": [{"path": "pose.weight",)"
+            << R"("ease": ")" << ease << R"(", "keys": [[0, 0], [3, 1], [4, 0.25]]}]}})";
+        bake(sample("morph"), out, [&](BakeCommand& command) {
+            command.pose = "fat";
+            command.recipe.recipe = recipe;
+        });
+        const tinygltf::Model model = load_gltf(out);
+        ASSERT_EQ(model.animations.size(), 1u);
+        for (const double seconds : {0.0, 1.0, 2.25, 3.0, 3.5, 4.0}) {
+            // Straight lines, or 3 x^2 - 2 x^3 between the keys.
+            double x = seconds < 3.0 ? seconds / 3.0 : seconds - 3.0;
+            if (ease == "smooth") x = x * x * (3.0 - 2.0 * x);
+            const double weight = seconds < 3.0 ? x : 1.0 - 0.75 * x;
+            const GltfMotion motion = motion_at(model, 0, seconds, out);
+            EXPECT_NEAR(motion.target_weights[0].at(0), weight, 1e-6) << ease << ' ' << seconds;
+        }
+    }
 }
 
 TEST_F(KeptTest, WrongNamesAreToldWithThoseThatThereAre) {
