@@ -26,7 +26,7 @@ constexpr std::size_t ktx_header = 80, ktx_level_entry = 24;
 constexpr std::uint32_t zstandard = 2;  // a scheme of supercompression
 
 void append(KtxBytes& bytes, std::uint64_t number, std::size_t size) {
-    for (std::size_t k = 0; k < size; ++k) bytes.push_back(std::uint8_t(number >> (8 * k)));
+    for (std::size_t k = 0; k < size; ++k, number >>= 8) bytes.push_back(std::uint8_t(number));
 }
 
 void append_all(KtxBytes& bytes, std::initializer_list<std::uint32_t> words) {
