@@ -10,7 +10,7 @@
 
 #include "procedural/numbers/dual.h"
 
-namespace burl::blender {
+namespace burl::numeric {
 
 inline double value_of(double x) {
     return x;
@@ -144,6 +144,16 @@ template <class T>
 T length(const Triple<T>& a) {
     return root(dot(a, a));
 }
+/// The vector of length 1 along a, and 0 where a is 0.
+template <class T>
+Triple<T> unit(const Triple<T>& a) {
+    return times(quotient(T(1.0), length(a)), a);
+}
+
+template <class T>
+Triple<T> cross(const Triple<T>& a, const Triple<T>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 /// The triple function(a.x, b.x), function(a.y, b.y), ...
 template <class T, class Function>
 Triple<T> each(const Triple<T>& a, const Triple<T>& b, const Function& function) {
@@ -166,4 +176,4 @@ Triple<T> constants(const Triple<double>& a) {
     return {T(a.x), T(a.y), T(a.z)};
 }
 
-}  // namespace burl::blender
+}  // namespace burl::numeric
