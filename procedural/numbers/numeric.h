@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <span>
 
 #include "procedural/numbers/dual.h"
 
@@ -122,6 +123,15 @@ T smooth(const T& x) {
 template <class T>
 struct Triple {
     T x = T(0.0), y = T(0.0), z = T(0.0);
+};
+
+/// The numbers of a list; those beyond it count as 0.
+template <class T>
+struct Numbers {
+    std::span<const T> all;
+
+    T operator[](std::size_t i) const { return i < all.size() ? all[i] : T(0.0); }
+    Triple<T> triple(std::size_t i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
 };
 
 template <class T>
