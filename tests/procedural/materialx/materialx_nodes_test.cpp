@@ -73,6 +73,7 @@ TEST(MaterialXNodes, ReferencesAreOfAllOperations) {
         if (type.name.starts_with("materialx_") && type.parameters()[0].path == "operation")
             for (const std::string_view word : split_choices(type.parameters()[0].choices))
                 all.insert(std::string(type.name) + " " + std::string(word));
+    all.erase("materialx_vector_math trianglewave");  // MaterialX has it of numbers alone
     EXPECT_EQ(tried, all);
 }
 
