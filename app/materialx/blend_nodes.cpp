@@ -49,18 +49,7 @@ Value screen(const NodeCall& call) {
 /// The blends that a node of the recipe makes, channel by channel.
 Value blended(const NodeCall& call) {
     const Layers layers = layers_of(call);
-    Arithmetic& values = call.values();
-    const auto blend = [&](NodeRef base, NodeRef top) {
-        return call.nodes().vector_math(call.node.tag, {base, top, values.part(layers.amount, 0)});
-    };
-    const auto of_number = [&](std::size_t k) {
-        return call.nodes().channel(blend(values.part(layers.base, k), values.part(layers.top, k)),
-                                    0);
-    };
-    if (is_number(call.type)) return call.made(of_number(0));
-    const NodeRef color = blend(values.packed(layers.base), values.packed(layers.top));
-    if (size_of(call.type) < 4) return values.of_color(call.type, color);
-    return values.of_color(call.type, color, of_number(3));
+    return call.values().apply(call.node.tag, call.type, {layers.base, layers.top, layers.amount});
 }
 
 /// A layer times the alpha of another, or times what that leaves.

@@ -28,13 +28,19 @@ class Lines {
     std::vector<std::size_t> ends_;
 };
 
+/// The element's tag; of the long form <node nodetype="add"> the node's category.
+std::string tag_of(const pugi::xml_node& from) {
+    const pugi::xml_attribute category = from.attribute("nodetype");
+    return from.name() == std::string_view("node") && category ? category.value() : from.name();
+}
+
 /// Copies an element with all below it.
 class ElementCopier {
   public:
     ElementCopier(const Lines& lines, const std::string& path) : lines_(lines), path_(path) {}
 
     Element copy(const pugi::xml_node& from, std::size_t depth) const {
-        Element element{from.name(), {}, {}, lines_.line_of(from.offset_debug())};
+        Element element{tag_of(from), {}, {}, lines_.line_of(from.offset_debug())};
         if (depth > deepest_element)
             throw invalid_file(path_, element.line,
                                fmt::format("elements are more than {} deep", deepest_element));

@@ -54,8 +54,9 @@ Value NodeCall::varies(std::string_view name) const {
 }
 
 NodeFunction function_of(std::string_view category) {
-    for (const auto rows : {math_rows(), vector_rows(), channel_rows(), color_rows(), blend_rows(),
-                            noise_rows(), choice_rows(), ramp_rows(), place_rows(), image_rows()}) {
+    for (const auto rows :
+         {math_rows(), vector_rows(), channel_rows(), color_rows(), blend_rows(), noise_rows(),
+          unified_rows(), choice_rows(), ramp_rows(), place_rows(), image_rows()}) {
         const auto row = std::ranges::find(rows, category, &NodeRow::category);
         if (row != rows.end()) return row->function;
     }

@@ -65,6 +65,7 @@ std::span<const NodeRow> channel_rows();
 std::span<const NodeRow> color_rows();
 std::span<const NodeRow> blend_rows();
 std::span<const NodeRow> noise_rows();
+std::span<const NodeRow> unified_rows();
 std::span<const NodeRow> choice_rows();
 std::span<const NodeRow> ramp_rows();
 std::span<const NodeRow> place_rows();

@@ -31,7 +31,7 @@ NodeRef noise_at(const NodeCall& call, const Noise& noise, const Value& place, b
     NodeInputs inputs{{"position", call.values().vector(place)}};
     inputs.insert(inputs.end(), noise.inputs.begin(), noise.inputs.end());
     Json parameters = noise.parameters;
-    parameters["dimensions"] = noise.dimensions;
+    parameters["dimensions"] = noise.dimensions == 2 ? "2" : "3";
     return call.nodes().node(noise.node + (color ? "_color" : ""), color, inputs, parameters);
 }
 

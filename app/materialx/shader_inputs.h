@@ -34,8 +34,9 @@ class ShaderInputs {
     /// Whether the input is the constant 0.
     bool is_zero(std::string_view name, double otherwise) const;
 
-    /// Notes which of the inputs are not at their defaults.
-    void note_lost(const std::vector<LostInput>& inputs) const;
+    /// Notes which of the inputs are not at their defaults, and which the shader has not.
+    void note_lost(const std::vector<LostInput>& inputs,
+                   std::span<const std::string_view> held) const;
     /// Notes a loss of the shader, whose name goes before the sentence.
     void lose(const std::string& sentence) const;
 

@@ -1,6 +1,7 @@
 #include "app/materialx/surface.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -87,6 +88,35 @@ class SurfaceMaker {
     Arithmetic& values_;
     NodeBuilder& nodes_;
 };
+
+constexpr std::array<std::string_view, 22> held_of_standard_surface{"base",
+                                                                    "base_color",
+                                                                    "metalness",
+                                                                    "specular",
+                                                                    "specular_roughness",
+                                                                    "specular_IOR",
+                                                                    "transmission",
+                                                                    "transmission_color",
+                                                                    "subsurface",
+                                                                    "subsurface_color",
+                                                                    "sheen",
+                                                                    "sheen_color",
+                                                                    "sheen_roughness",
+                                                                    "coat",
+                                                                    "coat_color",
+                                                                    "coat_roughness",
+                                                                    "coat_affect_color",
+                                                                    "coat_affect_roughness",
+                                                                    "emission",
+                                                                    "emission_color",
+                                                                    "opacity",
+                                                                    "normal"};
+constexpr std::array<std::string_view, 20> held_of_open_pbr{
+    "base_weight",        "base_color",       "base_metalness",      "specular_weight",
+    "specular_roughness", "specular_ior",     "transmission_weight", "transmission_color",
+    "subsurface_weight",  "subsurface_color", "fuzz_weight",         "fuzz_color",
+    "fuzz_roughness",     "coat_weight",      "coat_color",          "coat_roughness",
+    "emission_luminance", "emission_color",   "geometry_opacity",    "geometry_normal"};
 
 const std::vector<LostInput>& lost_of_standard_surface() {
     static const std::vector<LostInput> lost{
@@ -187,7 +217,7 @@ Surface standard_surface(const ShaderInputs& in, const Target& displacement) {
     maker.set_emission("emission");
     maker.set_ior("specular_IOR");
     maker.set_unless("opacity", opacity_of(in), 1.0);
-    in.note_lost(lost_of_standard_surface());
+    in.note_lost(lost_of_standard_surface(), held_of_standard_surface);
     maker.surface.height = read_height(in, "normal", displacement);
     return maker.surface;
 }
@@ -219,7 +249,7 @@ Surface open_pbr_surface(const ShaderInputs& in, const Target& displacement) {
     maker.set_emission("emission_luminance");
     maker.set_ior("specular_ior");
     maker.set_unless("opacity", in.number("geometry_opacity", 1.0), 1.0);
-    in.note_lost(lost_of_open_pbr());
+    in.note_lost(lost_of_open_pbr(), held_of_open_pbr);
     maker.surface.height = read_height(in, "geometry_normal", displacement);
     return maker.surface;
 }
