@@ -18,7 +18,7 @@ export async function loadMaterialX(modules) {
     const options = context.getOptions();
     options.shaderInterfaceType = mx.ShaderInterfaceType.SHADER_INTERFACE_COMPLETE;
     options.hwSrgbEncodeOutput = false;
-    options.hwSpecularEnvironmentMethod = mx.HwSpecularEnvironmentMethod.SPECULAR_ENVIRONMENT_NONE;
+    options.hwSpecularEnvironmentMethod = mx.HwSpecularEnvironmentMethod.SPECULAR_ENVIRONMENT_FIS;
     return {mx, generator, context, library};
 }
 
