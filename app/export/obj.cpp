@@ -19,7 +19,7 @@
 #include "app/export/obj_text.h"
 #include "app/export/placed_triangles.h"
 #include "app/image/image_io.h"
-#include "app/materialx/write_surface.h"
+#include "app/materialx/write/surface.h"
 #include "app/surface/node_transform.h"
 #include "procedural/color/srgb.h"
 
@@ -251,10 +251,9 @@ std::vector<AtomicFile> write_content(const SceneContent& content) {
 std::vector<AtomicFile> write_mtlx(const SceneContent& content) {
     std::vector<AtomicFile> files = write_obj({path_beside(content.path, ".obj"), content.mesh,
                                                content.atlas, content.image, content.options});
-    const materialx::BakedSurface surface = surface_of(content);
-    const std::string lost = materialx::lost_in_document(surface);
-    if (!lost.empty() && content.options.tell) content.options.tell(lost);
-    files.emplace_back(content.path).write(materialx::surface_document(surface));
+    const materialx::SurfaceDocument document = materialx::surface_document(surface_of(content));
+    if (!document.lost.empty() && content.options.tell) content.options.tell(document.lost);
+    files.emplace_back(content.path).write(document.text);
     return files;
 }
 

@@ -25,6 +25,12 @@ std::string xml_text(const XmlElement& root);
 /// empty texts and all other characters become underscores.
 std::string element_name(const std::string& text);
 
+/// An input of a node or surface, `<input name= type= value= />`.
+XmlElement value_input(const std::string& name, const std::string& type, const std::string& value);
+XmlElement number_input(const std::string& name, double value);
+/// An input that is fed by a node beside it.
+XmlElement node_input(const std::string& name, const std::string& type, const std::string& node);
+
 /// The number as shaders in float32 hold it, in the fewest digits that give it back: "0.1".
 std::string value_text(double number);
 

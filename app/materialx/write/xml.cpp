@@ -1,4 +1,4 @@
-#include "app/materialx/write_xml.h"
+#include "app/materialx/write/xml.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -72,6 +72,18 @@ std::string element_name(const std::string& text) {
         name, [](char c) { return !is_letter_or_digit(c); }, '_');
     if (name.empty() || (name[0] >= '0' && name[0] <= '9')) name.insert(0, "_");
     return name;
+}
+
+XmlElement value_input(const std::string& name, const std::string& type, const std::string& value) {
+    return {"input", {{"name", name}, {"type", type}, {"value", value}}};
+}
+
+XmlElement number_input(const std::string& name, double value) {
+    return value_input(name, "float", value_text(value));
+}
+
+XmlElement node_input(const std::string& name, const std::string& type, const std::string& node) {
+    return {"input", {{"name", name}, {"type", type}, {"nodename", node}}};
 }
 
 std::string value_text(double number) {

@@ -5,16 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/materialx/write_xml.h"
 #include "app/recipe/material.h"
-#include "atlas/base/image.h"
 
 namespace burl::materialx {
 
 /// A baked material; files are named as seen from the document.
 struct BakedSurface {
     std::string name;         ///< any text
-    Material material{};      ///< numbers, which are factors of the pictures
+    Material material{};      ///< numbers; those of channels with a picture are factors of it
     std::string color{};      ///< the picture of the base colour, in sRGB
     bool has_alpha = false;   ///< whether that picture has alpha, which is the opacity
     double alpha_cutoff = 0;  ///< the alpha from which a texel is there; 0: alpha is a share
@@ -25,12 +23,13 @@ struct BakedSurface {
     bool closest = false;  ///< whether lookups take the nearest texel
 };
 
+/// A document, and what its surface does not show, as a sentence; empty: nothing.
+struct SurfaceDocument {
+    std::string text, lost;
+};
+
 /// The document. It has a material and a surface of the name, and a node graph whose outputs are
 /// called like the channels.
-std::string surface_document(const BakedSurface& surface);
-
-/// What the surface does not show, as a sentence: the occlusion, of which standard_surface has no
-/// input, so that it is an output of the graph and no more. Empty where nothing is.
-std::string lost_in_document(const BakedSurface& surface);
+SurfaceDocument surface_document(const BakedSurface& surface);
 
 }  // namespace burl::materialx
