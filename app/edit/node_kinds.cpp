@@ -103,7 +103,7 @@ NodeFamily family_of(const NodeType& type) {
                               nodes::masks(),    nodes::points()};
     for (std::size_t i = 0; i < families.size(); ++i)
         if (has(families[i])) return NodeFamily(i);
-    if (has(nodes::blender_nodes())) return NodeFamily::noise;
+    if (has(nodes::blender_nodes()) || has(nodes::materialx_nodes())) return NodeFamily::noise;
     return NodeFamily::number;
 }
 

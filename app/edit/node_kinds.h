@@ -12,7 +12,8 @@
 
 namespace burl {
 
-/// The families of the node table, in its order; the nodes of Blender's functions count as noise.
+/// The families of the node table, in its order; the nodes of Blender's and MaterialX's functions
+/// count as noise.
 enum class NodeFamily { number, color, channel, pattern, tile, noise, mask, point };
 template <>
 inline constexpr auto enum_names<NodeFamily> = enum_words("numbers", "colours", "channels",

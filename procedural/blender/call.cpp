@@ -10,14 +10,11 @@ namespace {
 
 using namespace blender;
 
-/// The numbers of a call.
+/// A call with its numbers.
 template <class T>
-struct Numbers {
+struct CallInputs : Numbers<T> {
     const BlenderCall& call;
-    std::span<const T> all;
 
-    T operator[](std::size_t i) const { return i < all.size() ? all[i] : T(0.0); }
-    Triple<T> triple(std::size_t i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
     int setting(std::size_t i) const { return int(call.settings[i]); }
 };
 
@@ -30,13 +27,13 @@ Results<T> results(const Triple<T>& a) {
 }
 
 template <class T>
-Results<T> musgrave_of(const Numbers<T>& in) {
+Results<T> musgrave_of(const CallInputs<T>& in) {
     const MusgraveSum<T> sum{in[3], in[4], in[5], in[6], in[7]};
     return {musgrave(MusgraveKind(in.setting(0)), in.triple(0), sum)};
 }
 
 template <class T>
-Results<T> voronoi_of(const Numbers<T>& in) {
+Results<T> voronoi_of(const CallInputs<T>& in) {
     const VoronoiShape<T> shape{VoronoiFeature(in.setting(0)), VoronoiMetric(in.setting(1)), in[3],
                                 in[4], in[5]};
     const VoronoiSample<T> sample = voronoi(in.triple(0), shape);
@@ -45,14 +42,14 @@ Results<T> voronoi_of(const Numbers<T>& in) {
 }
 
 template <class T>
-Results<T> wave_of(const Numbers<T>& in) {
+Results<T> wave_of(const CallInputs<T>& in) {
     const WaveShape<T> shape{
         in.setting(0) == 1, in.setting(1), in.setting(2), in[3], in[4], in[5], in[6], in[7]};
     return {wave(in.triple(0), shape)};
 }
 
 template <class T>
-Results<T> brick_of(const Numbers<T>& in) {
+Results<T> brick_of(const CallInputs<T>& in) {
     const BrickShape<T> shape{
         in[3],         in[4],        in[5], in[6], in[7], in.call.settings[0], in.call.settings[2],
         in.setting(1), in.setting(3)};
@@ -61,13 +58,13 @@ Results<T> brick_of(const Numbers<T>& in) {
 }
 
 template <class T>
-Results<T> each_channel(const Numbers<T>& in, T (*function)(const T&, const T&, const T&)) {
+Results<T> each_channel(const CallInputs<T>& in, T (*function)(const T&, const T&, const T&)) {
     return {function(in[0], in[3], in[4]), function(in[1], in[3], in[4]),
             function(in[2], in[3], in[4])};
 }
 
 template <class T>
-Results<T> texture_of(const Numbers<T>& in) {
+Results<T> texture_of(const CallInputs<T>& in) {
     switch (in.call.function) {
         case BlenderFunction::noise:
             return results(noise_texture(in.triple(0), in[3], in[4], in[5], in.setting(0) == 1));
@@ -91,7 +88,7 @@ Results<T> texture_of(const Numbers<T>& in) {
 }
 
 template <class T>
-Results<T> arithmetic_of(const Numbers<T>& in) {
+Results<T> arithmetic_of(const CallInputs<T>& in) {
     switch (in.call.function) {
         case BlenderFunction::math:
             return {math(MathOp(in.setting(0)), in[0], in[1], in[2])};
@@ -123,7 +120,7 @@ Results<T> arithmetic_of(const Numbers<T>& in) {
 
 template <class T>
 std::array<T, 3> blender_value(const BlenderCall& call, std::span<const T> inputs) {
-    const Numbers<T> in{call, inputs};
+    const CallInputs<T> in{{inputs}, call};
     return call.function < BlenderFunction::math ? texture_of(in) : arithmetic_of(in);
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 // The operations of Blender's nodes Math, Vector Math and Map Range, as its manual describes them.
 // Operations give 0 where they are not defined.
-#include "procedural/blender/number.h"
+#include "procedural/numbers/numeric.h"
 
 namespace burl::blender {
+
+using namespace numeric;
 
 enum class MathOp {
     add,
@@ -228,16 +230,6 @@ enum class VectorOp {
     cosine,
     tangent
 };
-
-template <class T>
-Triple<T> unit(const Triple<T>& a) {
-    return times(quotient(T(1.0), length(a)), a);
-}
-
-template <class T>
-Triple<T> cross(const Triple<T>& a, const Triple<T>& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 template <class T>
 Triple<T> refracted(const Triple<T>& a, const Triple<T>& normal, const T& ior) {

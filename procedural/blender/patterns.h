@@ -173,7 +173,7 @@ std::array<T, 2> brick(const Triple<T>& p, const BrickShape<T>& shape) {
     if (value_of(shape.smooth) == 0.0) return {tint, T(1.0)};
     const T deep = T(1.0) - quotient(nearest, shape.mortar);
     return {tint, value_of(deep) < value_of(shape.smooth)
-                      ? blender::smooth(clamped(quotient(deep, shape.smooth)))
+                      ? numeric::smooth(clamped(quotient(deep, shape.smooth)))
                       : T(1.0)};
 }
 

@@ -1,41 +1,19 @@
 #pragma once
-// Perlin's improved noise of three dimensions (2002) over Jenkins's hash, and the sums that
-// Blender's Noise and Musgrave textures are. Musgrave's are those of Ebert, Musgrave, Peachey,
-// Perlin, Worley, "Texturing and Modeling", chapter 16.
+// The sums of noise (noise/hashed_perlin.h) that Blender's Noise and Musgrave textures are.
+// Musgrave's are those of Ebert, Musgrave, Peachey, Perlin, Worley, "Texturing and Modeling",
+// chapter 16.
 #include <algorithm>
 #include <cstdint>
 
 #include "procedural/blender/hash.h"
+#include "procedural/noise/hashed_perlin.h"
 
 namespace burl::blender {
-
-/// The product of a corner's gradient, one of Perlin's twelve, with the way from the corner.
-template <class T>
-T corner_ramp(std::uint32_t hash, const T& x, const T& y, const T& z) {
-    const std::uint32_t h = hash & 15u;
-    const T& u = h < 8 ? x : y;
-    const T& v = h < 4 ? y : h == 12 || h == 14 ? x : z;
-    const T first = (h & 1u) != 0 ? T(0.0) - u : u, second = (h & 2u) != 0 ? T(0.0) - v : v;
-    return first + second;
-}
 
 /// The noise at p, about -1 to 1; 0 where a coordinate is not finite or beyond 2^30 cells.
 template <class T>
 T noise(const Triple<T>& p) {
-    const Triple<double> cell = floors(values_of(p));
-    const double far = std::max({std::abs(cell.x), std::abs(cell.y), std::abs(cell.z)});
-    if (!(far < 0x1p30)) return T(0.0);
-    const Triple<T> f = p - constants<T>(cell);
-    const auto fade = [](const T& t) { return t * t * t * (t * (t * T(6.0) - T(15.0)) + T(10.0)); };
-    const T u = fade(f.x), v = fade(f.y), w = fade(f.z);
-    const auto corner = [&](int i, int j, int k) {
-        const auto word = [](double x, int step) { return low_word(x) + std::uint32_t(step); };
-        const std::uint32_t hash = hash_words({word(cell.x, i), word(cell.y, j), word(cell.z, k)});
-        return corner_ramp(hash, f.x - T(i), f.y - T(j), f.z - T(k));
-    };
-    const auto row = [&](int j, int k) { return blended(u, corner(0, j, k), corner(1, j, k)); };
-    const auto plane = [&](int k) { return blended(v, row(0, k), row(1, k)); };
-    return T(0.982) * blended(w, plane(0), plane(1));
+    return hashed_noises<1>(p).front();
 }
 
 /// The noise of noise(), moved to the range from 0 to 1.

@@ -145,8 +145,8 @@ GlslDuals::Names GlslDuals::step(const MaskRead&) {
     return {constant(0.0)};
 }
 
-/// No shader is written of Blender's functions, either.
-GlslDuals::Names GlslDuals::step(const BlenderCall&) {
+/// No shader is written of functions that other programs define, either.
+GlslDuals::Names GlslDuals::step(const PointFunction&) {
     return {constant(0.0), constant(0.0), constant(0.0)};
 }
 

@@ -65,7 +65,7 @@ class GlslDuals {
     Names step(const ScatteredShapes& shapes);
     Names step(const ImageColors& image);
     Names step(const MaskRead& read);
-    Names step(const BlenderCall& call);
+    Names step(const PointFunction& function);
 
     const std::string& in(std::size_t k) const { return inputs_[k]; }
     std::string expression(const ValueOperation& work) const;

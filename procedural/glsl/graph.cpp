@@ -135,8 +135,8 @@ std::string too_many_stops(const TextureGraph& graph) {
     return "";
 }
 
-/// The reason why a graph that reads a mask, or a node of Blender's, has no shader; empty where it
-/// reads none.
+/// The reason why a graph that reads a mask, or one of another program's nodes, has no shader;
+/// empty where it reads none.
 std::string masks_problem(const TextureGraph& graph, GraphOutput output) {
     if (const std::string mask = first_mask_node(graph, output); !mask.empty())
         return no_texels_for(mask);

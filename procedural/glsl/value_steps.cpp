@@ -159,8 +159,8 @@ GlslStep GlslSteps::step(const MaskRead&, const Inputs&) {
     return {"", {number(0.0)}};
 }
 
-/// No shader is written of Blender's functions, either.
-GlslStep GlslSteps::step(const BlenderCall&, const Inputs&) {
+/// No shader is written of functions that other programs define, either.
+GlslStep GlslSteps::step(const PointFunction&, const Inputs&) {
     return {"", {number(0.0), number(0.0), number(0.0)}};
 }
 

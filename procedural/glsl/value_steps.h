@@ -45,7 +45,7 @@ class GlslSteps {
     GlslStep step(const ImageLookup& lookup, const Inputs& inputs);
     GlslStep step(const GraphSlope& slope, const Inputs& inputs);
     GlslStep step(const MaskRead& read, const Inputs& inputs);
-    GlslStep step(const BlenderCall& call, const Inputs& inputs);
+    GlslStep step(const PointFunction& function, const Inputs& inputs);
 
     std::string number(double value) const { return functions_.number(value); }
     std::string expression(const ValueOperation& operation, const Inputs& in) const;

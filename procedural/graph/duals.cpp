@@ -151,13 +151,13 @@ DualFunction dual_function(const MaskRead& work, const DualSettings&) {
         [=](const DualCall& call, std::size_t i) { return call.mask(work.mask, i); });
 }
 
-DualFunction dual_function(const BlenderCall& work, const DualSettings&) {
+DualFunction dual_function(const PointFunction& work, const DualSettings&) {
     return [work](const DualCall& call) {
         const std::size_t count = std::ranges::find(call.inputs, nullptr) - call.inputs.begin();
         std::array<Dual, most_step_inputs> in;
         for (std::size_t i = 0; i < call.count(); ++i) {
             for (std::size_t k = 0; k < count; ++k) in[k] = call.in(k, i);
-            const auto out = blender_value<Dual>(work, {in.data(), count});
+            const auto out = point_value<Dual>(work, {in.data(), count});
             for (std::size_t c = 0; c < 3 && call.outputs[c]; ++c) call.outputs[c]->set(i, out[c]);
         }
     };

@@ -109,6 +109,6 @@ DualFunction dual_function(const CellFeature& work, const DualSettings& settings
 DualFunction dual_function(const ScatteredShapes& work, const DualSettings& settings);
 DualFunction dual_function(const ImageColors& work, const DualSettings& settings);
 DualFunction dual_function(const MaskRead& work, const DualSettings& settings);
-DualFunction dual_function(const BlenderCall& work, const DualSettings& settings);
+DualFunction dual_function(const PointFunction& work, const DualSettings& settings);
 
 }  // namespace burl

@@ -19,6 +19,11 @@ std::vector<GraphMask> masks_of(const GraphNode& node) {
     return masks;
 }
 
+/// Whether a node is a function that another program defines (point_function.h).
+bool is_another_programs(const NodeType& type) {
+    return type.name.starts_with("blender_") || type.name.starts_with("materialx_");
+}
+
 /// For each node whether the graph's output depends on it.
 std::vector<bool> nodes_read(const TextureGraph& graph, GraphOutput output) {
     std::vector<bool> read(graph.nodes.size(), false);
@@ -67,7 +72,7 @@ std::string first_mask_node(const TextureGraph& graph, GraphOutput output) {
 std::string first_host_node(const TextureGraph& graph, GraphOutput output) {
     const std::vector<bool> nodes = nodes_read(graph, output);
     for (std::size_t n = 1; n < graph.nodes.size(); ++n)
-        if (nodes[n] && type_of(graph.nodes[n]).name.starts_with("blender_"))
+        if (nodes[n] && is_another_programs(type_of(graph.nodes[n])))
             return std::string(type_of(graph.nodes[n]).name);
     return "";
 }

@@ -20,6 +20,15 @@ Register NodeOps::input(std::size_t k, std::size_t c) {
     return c < 3 ? given[0] : constant(1.0);
 }
 
+std::vector<Register> NodeOps::numbers(std::size_t first) {
+    const std::span<const NodeInput> all = type_of(self()).inputs();
+    std::vector<Register> result;
+    for (std::size_t k = first; k < all.size(); ++k)
+        for (std::size_t c = 0; c < (all[k].wire == Wire::color ? 3 : 1); ++c)
+            result.push_back(input(k, c));
+    return result;
+}
+
 /// The mask is read like a function of the point, for it differs from texel to texel.
 Register NodeOps::mask(std::size_t c) {
     const NodeMask& own = type_of(self()).mask;

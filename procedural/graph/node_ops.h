@@ -23,6 +23,8 @@ class NodeOps : public NodeParameters {
 
     /// Channel c of input k; a number counts as an opaque grey where a colour is wanted.
     Register input(std::size_t k, std::size_t c = 0);
+    /// The numbers of the inputs from `first` on: one of a number, three of a colour.
+    std::vector<Register> numbers(std::size_t first = 0);
     /// The coordinates of the point that the node is evaluated at.
     const std::vector<Register>& point() const { return channels_[self().place]; }
     Register axis(std::size_t i) const { return point()[i]; }
@@ -149,6 +151,7 @@ std::span<const NodeType> patterns();
 std::span<const NodeType> tiles();
 std::span<const NodeType> noises();
 std::span<const NodeType> blender_nodes();
+std::span<const NodeType> materialx_nodes();
 std::span<const NodeType> masks();
 std::span<const NodeType> points();
 

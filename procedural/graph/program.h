@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "procedural/blender/call.h"
 #include "procedural/graph/graph.h"
+#include "procedural/graph/point_function.h"
 #include "procedural/graph/scattered_shapes.h"
 #include "procedural/graph/step_registers.h"
 #include "procedural/graph/value_kernels.h"
@@ -155,11 +155,11 @@ struct MaskRead {
 using GraphWork = std::variant<ValueOperation, BoxMean, BoxPulse, BoxStep, PositiveTurn, SlopeAlong,
                                Checkerboard, OctaveSum, SimplexOctaves, CurlOctaves, FieldAt,
                                MapColors, MarbleColors, DotsWeight, CellNumber, CellFeature,
-                               ScatteredShapes, ImageColors, MaskRead, BlenderCall>;
+                               ScatteredShapes, ImageColors, MaskRead, PointFunction>;
 
 /// The largest number of registers that a step reads.
 inline constexpr std::size_t most_step_inputs =
-    std::max(most_simplex_dimensions, most_blender_inputs);
+    std::max(most_simplex_dimensions, most_point_inputs);
 
 /// A step of a program: work with the registers that it reads and fills.
 struct GraphStep {

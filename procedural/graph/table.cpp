@@ -25,9 +25,10 @@ const NodeInput* NodeType::input(std::string_view key) const {
 std::span<const NodeType> graph_table() {
     static const std::vector<NodeType> table = [] {
         std::vector<NodeType> all;
-        for (const auto& family : {nodes::numbers(), nodes::colors(), nodes::channels(),
-                                   nodes::patterns(), nodes::tiles(), nodes::noises(),
-                                   nodes::blender_nodes(), nodes::masks(), nodes::points()})
+        for (const auto& family :
+             {nodes::numbers(), nodes::colors(), nodes::channels(), nodes::patterns(),
+              nodes::tiles(), nodes::noises(), nodes::blender_nodes(), nodes::materialx_nodes(),
+              nodes::masks(), nodes::points()})
             all.insert(all.end(), family.begin(), family.end());
         return all;
     }();

@@ -143,12 +143,12 @@ void run_work(const GraphSlope& work, const StepArrays& arrays, GraphEvaluator::
         arrays.outputs[0][j] = glm::dot(work.direction, samples[j].channels[0].slope);
 }
 
-void run_work(const BlenderCall& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+void run_work(const PointFunction& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
     const std::size_t count = std::ranges::find(arrays.inputs, nullptr) - arrays.inputs.begin();
     std::array<double, most_step_inputs> in{};
     for (std::size_t j = 0; j < arrays.count; ++j) {
         for (std::size_t k = 0; k < count; ++k) in[k] = arrays.inputs[k][j];
-        const auto out = blender_value<double>(work, {in.data(), count});
+        const auto out = point_value<double>(work, {in.data(), count});
         for (std::size_t c = 0; c < 3 && arrays.outputs[c]; ++c) arrays.outputs[c][j] = out[c];
     }
 }

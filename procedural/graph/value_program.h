@@ -34,7 +34,7 @@ struct GraphSlope {
 /// The work of a step.
 using ValueWork = std::variant<ValueOperation, NoiseSum, SimplexOctaves, CurlOctaves, ColorPieces,
                                DotsWeight, CellNumber, CellFeature, ScatteredShapes, ImageLookup,
-                               GraphSlope, MaskRead, BlenderCall>;
+                               GraphSlope, MaskRead, PointFunction>;
 
 /// A step of a program: work with the arrays that it reads and writes.
 struct ValueStep {

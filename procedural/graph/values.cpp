@@ -266,7 +266,7 @@ class Lowering {
     }
 
     void lower(const MaskRead& read) { give(read); }
-    void lower(const BlenderCall& call) { give(call, outputs_); }
+    void lower(const PointFunction& function) { give(function, outputs_); }
 
     const TextureGraph& graph_;
     ValueProgram& program_;

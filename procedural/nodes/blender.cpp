@@ -20,26 +20,12 @@ Outputs scaled(NodeOps& node, std::size_t k, std::size_t scale) {
     return result;
 }
 
-/// Appends the numbers of the inputs from `first` to before `last`: one of a number, three of a
-/// colour.
-void append_inputs(NodeOps& node, std::size_t first, std::size_t last, Outputs& all) {
-    const std::span<const NodeInput> inputs = type_of(node.self()).inputs();
-    for (std::size_t k = first; k < last; ++k)
-        for (std::size_t c = 0; c < (inputs[k].wire == Wire::color ? 3 : 1); ++c)
-            all.push_back(node.input(k, c));
-}
-
 /// The numbers of a texture's inputs: the vector times the scale, which are the first two, and the
 /// others.
 Outputs texture_inputs(NodeOps& node) {
     Outputs all = scaled(node, 0, 1);
-    append_inputs(node, 2, node.self().inputs.size(), all);
-    return all;
-}
-
-Outputs all_inputs(NodeOps& node) {
-    Outputs all;
-    append_inputs(node, 0, node.self().inputs.size(), all);
+    const Outputs others = node.numbers(2);
+    all.insert(all.end(), others.begin(), others.end());
     return all;
 }
 
@@ -85,7 +71,7 @@ Outputs magic(NodeOps& node) {
 }
 
 Outputs gradient(NodeOps& node) {
-    return {node.apply(BlenderCall{Call::gradient, {chosen(node, "kind")}}, all_inputs(node))};
+    return {node.apply(BlenderCall{Call::gradient, {chosen(node, "kind")}}, node.numbers())};
 }
 
 Outputs brick(NodeOps& node) {
@@ -101,30 +87,29 @@ Outputs checker(NodeOps& node) {
 }
 
 Outputs white_noise(NodeOps& node) {
-    return {node.apply(BlenderCall{Call::white_noise, {}}, all_inputs(node))};
+    return {node.apply(BlenderCall{Call::white_noise, {}}, node.numbers())};
 }
 Outputs white_noise_color(NodeOps& node) {
-    return node.opaque(BlenderCall{Call::white_noise, {}}, all_inputs(node));
+    return node.opaque(BlenderCall{Call::white_noise, {}}, node.numbers());
 }
 
 Outputs math(NodeOps& node) {
-    return {node.apply(BlenderCall{Call::math, {chosen(node, "operation")}}, all_inputs(node))};
+    return {node.apply(BlenderCall{Call::math, {chosen(node, "operation")}}, node.numbers())};
 }
 Outputs vector_math(NodeOps& node) {
-    return node.opaque(BlenderCall{Call::vector_math, {chosen(node, "operation")}},
-                       all_inputs(node));
+    return node.opaque(BlenderCall{Call::vector_math, {chosen(node, "operation")}}, node.numbers());
 }
 Outputs map_range(NodeOps& node) {
-    return {node.apply(BlenderCall{Call::map_range, {chosen(node, "curve")}}, all_inputs(node))};
+    return {node.apply(BlenderCall{Call::map_range, {chosen(node, "curve")}}, node.numbers())};
 }
 Outputs mix_colors(NodeOps& node) {
-    return node.opaque(BlenderCall{Call::mix, {chosen(node, "mode")}}, all_inputs(node));
+    return node.opaque(BlenderCall{Call::mix, {chosen(node, "mode")}}, node.numbers());
 }
 
 /// The definition of a node whose colour is a function of its inputs without settings.
 template <BlenderFunction function>
 Outputs color_of(NodeOps& node) {
-    return node.opaque(BlenderCall{function, {}}, all_inputs(node));
+    return node.opaque(BlenderCall{function, {}}, node.numbers());
 }
 
 constexpr std::string_view blender = "Blender 3.4";

@@ -7,10 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <span>
 
 #include "procedural/numbers/dual.h"
 
-namespace burl::blender {
+namespace burl::numeric {
 
 inline double value_of(double x) {
     return x;
@@ -124,6 +125,15 @@ struct Triple {
     T x = T(0.0), y = T(0.0), z = T(0.0);
 };
 
+/// The numbers of a list; those beyond it count as 0.
+template <class T>
+struct Numbers {
+    std::span<const T> all;
+
+    T operator[](std::size_t i) const { return i < all.size() ? all[i] : T(0.0); }
+    Triple<T> triple(std::size_t i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
+};
+
 template <class T>
 Triple<T> operator+(const Triple<T>& a, const Triple<T>& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -143,6 +153,16 @@ T dot(const Triple<T>& a, const Triple<T>& b) {
 template <class T>
 T length(const Triple<T>& a) {
     return root(dot(a, a));
+}
+/// The vector of length 1 along a, and 0 where a is 0.
+template <class T>
+Triple<T> unit(const Triple<T>& a) {
+    return times(quotient(T(1.0), length(a)), a);
+}
+
+template <class T>
+Triple<T> cross(const Triple<T>& a, const Triple<T>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 /// The triple function(a.x, b.x), function(a.y, b.y), ...
 template <class T, class Function>
@@ -166,4 +186,4 @@ Triple<T> constants(const Triple<double>& a) {
     return {T(a.x), T(a.y), T(a.z)};
 }
 
-}  // namespace burl::blender
+}  // namespace burl::numeric
