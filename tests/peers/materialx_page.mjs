@@ -10,7 +10,7 @@ async function post(path, body) {
 }
 
 function compiled(kind, source) {
-    const shader = gl.createShader(kind);
+    const shader = kept('Shader', gl.createShader(kind));
     gl.shaderSource(shader, source.replaceAll('precision mediump float', 'precision highp float').replaceAll('uniform sampler2D', 'uniform highp sampler2D'));
     gl.compileShader(shader);
     if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
@@ -24,10 +24,11 @@ function placed(vertex) {
         '    gl_Position = vec4(burl_pixel, 0.0, 1.0);\n    gl_PointSize = 1.0;\n}\n';
 }
 
-function programOf({vertex, pixel}) {
-    const program = gl.createProgram();
-    gl.attachShader(program, compiled(gl.VERTEX_SHADER, placed(vertex)));
-    gl.attachShader(program, compiled(gl.FRAGMENT_SHADER, pixel));
+const shadersOf = ({vertex, pixel}) => [compiled(gl.VERTEX_SHADER, placed(vertex)), compiled(gl.FRAGMENT_SHADER, pixel)];
+
+function programOf(shaders) {
+    const program = kept('Program', gl.createProgram());
+    for (const shader of shaders) gl.attachShader(program, shader);
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
     return program;
@@ -43,7 +44,7 @@ async function bindTexture(job, {name, url}, unit) {
     const picture = await (await fetch(url)).blob();
     const bitmap = await createImageBitmap(picture, {imageOrientation: 'flipY', premultiplyAlpha: 'none', colorSpaceConversion: 'none'});
     gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    gl.bindTexture(gl.TEXTURE_2D, kept('Texture', gl.createTexture()));
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
     const filter = job.uniforms.find((uniform) => uniform.name === `${name.replace(/_[^_]*$/, '')}_filtertype`)?.value;
     const kind = filter === 0 ? gl.NEAREST : gl.LINEAR;
@@ -90,7 +91,7 @@ const attributes = [
 
 function give(program, name, numbers, width) {
     const at = gl.getAttribLocation(program, name);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bindBuffer(gl.ARRAY_BUFFER, kept('Buffer', gl.createBuffer()));
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(numbers), gl.STATIC_DRAW);
     gl.enableVertexAttribArray(at);
     gl.vertexAttribPointer(at, width, gl.FLOAT, false, 0, 0);
@@ -113,22 +114,33 @@ function giveAttributes(program, points, count, height) {
 }
 
 function targetOf(height) {
-    const texture = gl.createTexture();
+    const texture = kept('Texture', gl.createTexture());
     gl.activeTexture(gl.TEXTURE0 + 15);
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, side, height);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    gl.bindFramebuffer(gl.FRAMEBUFFER, kept('Framebuffer', gl.createFramebuffer()));
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
     gl.viewport(0, 0, side, height);
 }
 
+// Frees what the jobs before made, which Chromium would keep: gigabytes of a long list.
+const made = [];
+function kept(kind, object) {
+    made.push([kind, object]);
+    return object;
+}
+function forget() {
+    for (const [kind, object] of made.splice(0)) gl[`delete${kind}`](object);
+}
+
 // Four numbers a point.
 async function valuesOf(job) {
-    const program = programOf(job), count = job.points.position.length, height = Math.ceil(count / side);
+    const count = job.points.position.length, height = Math.ceil(count / side), shaders = shadersOf(job);
     if (!count) return new Float32Array(0);
+    const program = programOf(shaders);
     gl.useProgram(program);
     targetOf(height);
-    gl.bindVertexArray(gl.createVertexArray());
+    gl.bindVertexArray(kept('VertexArray', gl.createVertexArray()));
     await setUniforms(program, job);
     giveAttributes(program, job.points, count, height);
     gl.clearColor(NaN, NaN, NaN, NaN);
@@ -147,6 +159,7 @@ try {
         } catch (error) {
             await post(`/error/${job.number}`, String(error.message ?? error));
         }
+        forget();
     }
     await post('/done', '');
 } catch (error) {

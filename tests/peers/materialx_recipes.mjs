@@ -41,12 +41,38 @@ const recipes = {
 };
 Object.assign(recipes.material.material, {clearcoat: 0.5, sheen: '#404080', transmission: {node: 'clamp', input: z}, emissive_strength: 3});
 
+// MaterialX's own functions: each noise but three sums of octaves, whose shader takes SwiftShader minutes to compile, and three operations a recipe, where they are defined.
+for (const name of ['noise', 'fractal', 'cellnoise', 'worley'])
+    for (const suffix of name === 'fractal' ? [''] : ['', '_color'])
+        for (const dimensions of ['2', '3'])
+            for (const style of name === 'worley' ? ['distance', 'solid'] : [null]) {
+                const node = {node: `materialx_${name}${suffix}`, dimensions, ...style && {style, jitter: 0.8}, ...name === 'fractal' && {octaves: 4, diminish: 0.6}};
+                recipes[[name, suffix.slice(1), dimensions, style].filter(Boolean).join('_')] = {texture: node, solid: {scale: 3}};
+            }
+const above = {node: 'add', a: {node: 'abs', input: x}, b: 0.125}, low = {node: 'multiply', a: 0.25, b: y}, share = {node: 'fract', input: z};
+const vector = {node: 'combine', red: x, green: y, blue: above}, other = {node: 'combine', red: share, green: above, blue: 0.5};
+const operations = 'add subtract multiply divide modulo power safepower absval sign floor ceil round fract sqrt ln exp atan2 min max clamp smoothstep mix ' +
+    'trianglewave burn dodge screen overlay difference plus minus';
+const math = (operation, a, b, c) => ({node: 'materialx_math', operation, a, b, c});
+const trio = (words, ...inputs) => ({texture: {node: 'combine', red: math(words[0], ...inputs), green: math(words[1], ...inputs), blue: math(words[2], ...inputs)}});
+const signed = 'add subtract multiply divide modulo safepower absval sign floor ceil round fract clamp smoothstep mix trianglewave ifgreater ifgreatereq'.split(' ');
+for (let i = 0; i < signed.length; i += 3) recipes[`signed_${i / 3 + 1}`] = trio(signed.slice(i, i + 3), x, above, {node: 'add', a: 2.5, b: share});
+const shares = 'power sqrt ln exp atan2 min max burn dodge screen overlay difference plus minus ifequal'.split(' ');
+for (let i = 0; i < shares.length; i += 3) recipes[`shares_${i / 3 + 1}`] = trio(shares.slice(i, i + 3), above, share, share);
+recipes.sines_1 = trio(['sin', 'cos', 'tan'], low, 0, 0);
+recipes.sines_2 = trio(['asin', 'acos', 'exp'], low, 0, 0);
+for (const operation of [...operations.split(' ').filter((word) => !['power', 'sqrt', 'ln'].includes(word)),
+    'dotproduct', 'crossproduct', 'normalize', 'magnitude', 'distance', 'reflect', 'refract', 'luminance'])
+    recipes[`vector_${operation}`] = {texture: {node: 'materialx_vector_math', operation, a: vector, b: other, c: share}};
+for (const operation of ['rgbtohsv', 'hsvtorgb']) recipes[`vector_${operation}`] = {texture: {node: 'materialx_vector_math', operation, a: other}};
+recipes.vector_rotate3d = {texture: {node: 'materialx_vector_math', operation: 'rotate3d', a: vector, b: other, c: {node: 'multiply', a: 90, b: y}}};
+
 const numbers = (() => {  // numbers of 10 bits after the point, which every float holds
     let state = 1;
     return () => (state = (state * 48271) % 2147483647) / 2147483647;
 })();
 const position = Array.from({length: 1000}, () => [0, 1, 2].map(() => Math.round((4 * numbers() - 2) * 1024 + 0.5) / 1024 + 1 / 4096));
-const with_sines = ['wood', 'arithmetic'];
+const with_sines = ['wood', 'arithmetic', 'sines_1', 'sines_2', 'vector_rotate3d'];
 // Centres of a picture's texels: between them a shader mixes codes of sRGB, and Burl light.
 const texels = Array.from({length: 1000}, (_, k) => [(k % 37 - 8.5) / 16, (Math.floor(k / 37) - 5.5) / 16, 0]);
 const pointsOf = (name) => name === 'picture' ? texels : position;

@@ -24,6 +24,7 @@ function pointsOf(points) {
     return cache.get(points);
 }
 
+const begun = performance.now();
 const word = (v) => Number.isFinite(v) ? v : String(v);
 const library = await loadMaterialX(modules);
 const results = [], jobs = [], pictures = [];
@@ -56,6 +57,7 @@ function find(url) {
 }
 
 function receive(url, body) {
+    if (process.env.PEER_TIMES) console.error(((performance.now() - begun) / 1000).toFixed(2), url, wanted[url.match(/\d+/)[0]].output);
     const [, kind, number] = url.match(/^\/(values|error)\/(\d+)$/), result = results[Number(number)];
     if (kind === 'error') {
         result.error = body.toString();

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/materialx/write/calls.h"
 #include "procedural/graph/table.h"
 #include "procedural/graph/values.h"
 
@@ -21,6 +22,9 @@ struct HasEquivalent {
     /// Only pbrt's marble, which has noise, has curves.
     bool operator()(const ColorPieces& pieces) const { return pieces.degree == 1; }
     bool operator()(const ImageLookup&) const { return true; }
+    bool operator()(const PointFunction& function) const {
+        return std::holds_alternative<MaterialXCall>(function);
+    }
     bool operator()(const NoiseSum& sum) const { return sum.octaves.empty(); }
     bool operator()(const MaskRead& read) const {
         const MaskKind kind = masks[read.mask].kind;
@@ -257,6 +261,11 @@ class StepWriter {
         const Operand part = components_of(node, type)[mask.component];
         if (uv && mask.component == 1) return {nodes_.binary("subtract", {1.0}, part)};
         return {part};
+    }
+
+    Operands step(const PointFunction& function, const Operands& in) {
+        const auto* call = std::get_if<MaterialXCall>(&function);
+        return call ? write_call(*call, in, nodes_) : Operands(3);
     }
 
     Operand facing(const GraphMask& mask) {
