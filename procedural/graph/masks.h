@@ -33,7 +33,8 @@ std::vector<bool> masks_read(const TextureGraph& graph, GraphOutput output);
 std::string first_mask_node(const TextureGraph& graph, GraphOutput output);
 
 /// The name of the first node that the graph's output depends on and that the host alone evaluates,
-/// since no shader is written of it: those of functions that other programs define. Empty where there is none.
+/// since no shader is written of it: those of functions that other programs define. Empty where
+/// there is none.
 std::string first_host_node(const TextureGraph& graph, GraphOutput output);
 
 /// The reason, as a clause, why a graph with that first mask cannot be evaluated where there are no

@@ -21,14 +21,13 @@ enum class VectorOp {
     hsvtorgb
 };
 
-/// The vector a turned about an axis (Rodrigues, 1840), against the clock as seen from the axis's
-/// end.
+/// The vector a turned about an axis (Rodrigues, 1840), with the clock as seen from the axis's end.
 template <class T>
 Triple<T> turned(const Triple<T>& a, const Triple<T>& axis, const T& degrees) {
     const Triple<T> k = unit(axis);
     const T angle = T(std::numbers::pi / 180.0) * degrees;
     const T c = cosine_of(angle), s = sine_of(angle);
-    return times(c, a) + times(s, cross(k, a)) + times((T(1.0) - c) * dot(k, a), k);
+    return times(c, a) + times(s, cross(a, k)) + times((T(1.0) - c) * dot(k, a), k);
 }
 
 /// The direction a refracted at a surface whose normal is used as it is given; 0 where all light

@@ -6,27 +6,12 @@
 
 #include "procedural/glsl/graph.h"
 #include "procedural/graph/table.h"
-#include "procedural/graph/values.h"
 #include "tests/paths.h"
 #include "tests/procedural/blender/cases.h"
+#include "tests/procedural/graph/point_functions.h"
 
 namespace burl {
 namespace {
-
-GraphSample sample_at(const TextureGraph& graph, const Vec3d& point) {
-    const GraphEvaluator evaluate(graph);
-    GraphEvaluator::Scratch scratch = evaluate.make_scratch();
-    GraphSample sample;
-    evaluate({&point, 1}, {}, scratch, {&sample, 1});
-    return sample;
-}
-
-/// Three numbers of a sample: a number counts three times.
-Vec3d values_of(const GraphSample& sample) {
-    const auto& c = sample.channels;
-    if (sample.wire == Wire::number) return Vec3d(c[0].value);
-    return {c[0].value, c[1].value, c[2].value};
-}
 
 TEST(BlenderNodes, AreBlendersAtItsPoints) {
     std::ifstream file(test::source_folder() + "/tests/procedural/blender/references.json");
@@ -58,51 +43,12 @@ TEST(BlenderNodes, CasesAreOfAllNodes) {
     EXPECT_EQ(cases, types);
 }
 
-/// The gradient of channel c by differences, and whether two widths agree on it.
-bool slope_near(const TextureGraph& graph, const Vec3d& p, std::size_t c, Vec3d& slope) {
-    Vec3d coarse;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto by = [&](double h) {
-            Vec3d a = p, b = p;
-            a[axis] -= h, b[axis] += h;
-            const double high = sample_at(graph, b).channels[c].value;
-            return (high - sample_at(graph, a).channels[c].value) / (2.0 * h);
-        };
-        coarse[axis] = by(2e-5), slope[axis] = by(1e-5);
-    }
-    return glm::length(coarse - slope) < 2e-6 * (1.0 + glm::length(slope));
-}
-
 TEST(BlenderNodes, GradientsAgreeWithDifferences) {
-    for (const GraphCase& one : blender_cases) {
-        const TextureGraph graph = graph_of(one.json);
-        int used = 0;
-        for (const Vec3d& p : random_points(25, 3.0, 7)) {
-            const GraphSample sample = sample_at(graph, p);
-            for (std::size_t c = 0; c < (sample.wire == Wire::number ? 1 : 3); ++c) {
-                Vec3d slope;
-                if (!slope_near(graph, p, c, slope)) continue;
-                ++used;
-                EXPECT_LT(glm::length(sample.channels[c].slope - slope),
-                          1e-5 * (1.0 + glm::length(slope)))
-                    << one.node;
-            }
-        }
-        EXPECT_GT(used, 15) << one.node;
-    }
+    expect_gradients_of_differences(blender_cases);
 }
 
 TEST(BlenderNodes, ValuesAloneAreThoseOfTheEvaluator) {
-    for (const GraphCase& one : blender_cases) {
-        const TextureGraph graph = graph_of(one.json);
-        const GraphValues values(graph);
-        auto scratch = values.program().make_scratch();
-        for (const Vec3d& p : random_points(40, 3.0, 3)) {
-            const Vec3d exact = values_of(sample_at(graph, p));
-            EXPECT_LT(glm::length(values(p, scratch) - exact), 1e-5 * (1.0 + glm::length(exact)))
-                << one.node;
-        }
-    }
+    expect_values_of_the_evaluator(blender_cases);
 }
 
 TEST(BlenderNodes, HaveNoShaderAndSaySo) {

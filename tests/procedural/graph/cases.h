@@ -11,6 +11,7 @@
 
 #include "procedural/graph/evaluator.h"
 #include "procedural/graph/json.h"
+#include "procedural/graph/table.h"
 
 namespace burl {
 
@@ -18,6 +19,11 @@ namespace burl {
 struct GraphCase {
     std::string_view node, json;
 };
+
+/// Whether a node is a function that another program defines, of which no shader is written.
+inline bool on_the_host_alone(const NodeType& type) {
+    return type.name.starts_with("blender_") || type.name.starts_with("materialx_");
+}
 
 // Inputs vary over the solid, so that every product and chain rule counts.
 inline constexpr std::array graph_cases{
