@@ -97,8 +97,9 @@ void print_materialx(const Recipe& recipe, const std::string& path) {
 }
 
 void run_show(const ShowCommand& command) {
-    const std::string text = recipe_text(command.recipe);
-    const Recipe recipe = parse_recipe(text, command.recipe);
+    const auto [text, losses, origin] = recipe_text(command.recipe);
+    const Recipe recipe = parse_recipe(text, origin);
+    for (const std::string& loss : losses) warn(loss);
     if (command.json) {
         fmt::print("{}{}", text, text.ends_with('\n') ? "" : "\n");
         return;
@@ -114,9 +115,11 @@ void add_show(CLI::App& program) {
     auto* verb = program.add_subcommand(
         "show", "Show a recipe or material: what it is, its controls, and its JSON");
     auto command = std::make_shared<ShowCommand>();
-    verb->add_option("recipe", command->recipe, "Name of a recipe or material, or a .json file")
+    verb->add_option("recipe", command->recipe,
+                     "Name of a recipe or material, or a .json or .mtlx file")
         ->required();
-    verb->add_flag("--json", command->json, "Print the JSON alone, as it was written");
+    verb->add_flag("--json", command->json,
+                   "Print the JSON alone, as it was written, or made of a .mtlx");
     verb->add_flag("--materialx", command->materialx,
                    "Print a MaterialX document of the same material: its nodes as a node graph")
         ->excludes("--json");

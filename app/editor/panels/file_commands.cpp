@@ -71,6 +71,7 @@ void FileCommands::show_dialog(EditItems& items) {
 void FileCommands::open_dialog() {
     std::vector<std::string> extensions = mesh_extensions();
     extensions.push_back(".json");
+    extensions.push_back(".mtlx");
     FileDialog::Wish wish{.title = "Open a mesh or recipe", .extensions = std::move(extensions)};
     wish.places = places();
     ask(std::move(wish), [this](const std::string& path) { loader_.files().open(path); });

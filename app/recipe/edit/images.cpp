@@ -1,8 +1,10 @@
 #include "app/recipe/edit/images.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "app/base/messages.h"
 #include "app/base/real_path.h"
 #include "app/image/image_io.h"
 #include "app/recipe/edit/recipe_json.h"
@@ -46,6 +48,15 @@ std::shared_ptr<const MipImage> RecipeImages::pyramid(const std::string& path, I
         return std::make_shared<const MipImage>(image, wrap);
     };
     return known = std::visit(pyramid_of, decode_png_with_alpha(bytes, path));
+}
+
+void RecipeImages::note_losses(const std::string& path, const std::vector<std::string>& losses) {
+    std::vector<std::string>& known = losses_[path];
+    for (const std::string& loss : losses) {
+        if (std::ranges::find(known, loss) != known.end()) continue;
+        known.push_back(loss);
+        warn(loss);
+    }
 }
 
 Recipe parse_recipe(const std::string& json, const std::string& origin,

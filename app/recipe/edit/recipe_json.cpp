@@ -186,9 +186,11 @@ Recipe recipe_of(const Json& tree, const Recipe& known, const std::string& origi
 
 Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings,
                    RecipeImages& images) {
-    Recipe recipe = parse_recipe(recipe_text(path_or_preset), path_or_preset, settings, images);
+    const RecipeText text = recipe_text(path_or_preset);
+    Recipe recipe = parse_recipe(text.json, text.origin, settings, images);
+    images.note_losses(path_or_preset, text.losses);
     if (recipe.name.empty() && !names_preset(path_or_preset))
-        recipe.name = std::filesystem::path(path_or_preset).stem().string();
+        recipe.name = std::filesystem::path(text.origin).stem().string();
     return recipe;
 }
 
