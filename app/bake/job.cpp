@@ -230,6 +230,8 @@ void BakeJob::check_idle() const {
         refuse("--normal-y -", "normals in object space have the mesh's own axes");
     if (command_.normal_y == "-" && holds_mesh(command_.out) && is_gltf(command_.out))
         refuse("--normal-y -", "the green of a glTF's normals points up");
+    if (command_.normal_y == "-" && is_materialx(command_.out))
+        refuse("--normal-y -", "the green of MaterialX's normals points up");
     if (!command_.packing.empty() && plan_.kind == ImageKind::rgb_float)
         refuse("--pack", "an .exr has a layer per channel");
     if (!command_.packing.empty() && picture_names(recipe(), plan_.material()).empty())
