@@ -17,7 +17,6 @@
 #include "app/base/sha256.h"
 #include "app/base/stopwatch.h"
 #include "app/base/version.h"
-#include "app/export/command_files.h"
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
@@ -161,16 +160,6 @@ std::vector<std::string> BakeJob::outputs(const std::vector<std::string>& paths,
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
         if (!path.empty()) outputs.push_back(path);
     return outputs;
-}
-
-/// Throws Error if an output would replace a file that is read or another output.
-void BakeJob::check_files(const std::vector<std::string>& paths) const {
-    CommandFiles files;
-    files.read(inputs_);
-    for (const std::string& path : outputs(paths, plan_.levels.count))
-        files.write(path, path == command_.solid_map ? ".exr" : "");
-    if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
-    files.write(record_path(command_.out));
 }
 
 /// Checks the command before any work starts. Throws Error.
