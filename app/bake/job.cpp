@@ -17,7 +17,6 @@
 #include "app/base/sha256.h"
 #include "app/base/stopwatch.h"
 #include "app/base/version.h"
-#include "app/export/command_files.h"
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
@@ -50,9 +49,17 @@ Kernel kernel_named(const std::string& name) {
     return found == kernel_names.end() ? Kernel::automatic : found->kernel;
 }
 
-/// The recipes of all frames, for the reference kernel if the command asks for it.
+/// What the recipe's document says and the recipe does not hold.
+const std::vector<std::string>& losses_of_recipe(const BakeCommand& command) {
+    return command.recipe.images->losses(command.recipe.recipe);
+}
+
+/// The recipes of all frames, for the reference kernel if the command asks for it. Throws
+/// Error(unsupported) for --strict where they lose something of their document.
 std::shared_ptr<const std::vector<Recipe>> recipes_of(const BakeCommand& command) {
     std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
+    if (const auto& lost = losses_of_recipe(command); command.strict && !lost.empty())
+        throw Error(ExitCode::unsupported, fmt::format("--strict: {}", fmt::join(lost, "; ")));
     if (command.kernel == reference_kernel)
         std::for_each(recipes.begin(), recipes.end(), apply_reference);
     return std::make_shared<const std::vector<Recipe>>(std::move(recipes));
@@ -155,16 +162,6 @@ std::vector<std::string> BakeJob::outputs(const std::vector<std::string>& paths,
     return outputs;
 }
 
-/// Throws Error if an output would replace a file that is read or another output.
-void BakeJob::check_files(const std::vector<std::string>& paths) const {
-    CommandFiles files;
-    files.read(inputs_);
-    for (const std::string& path : outputs(paths, plan_.levels.count))
-        files.write(path, path == command_.solid_map ? ".exr" : "");
-    if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
-    files.write(record_path(command_.out));
-}
-
 /// Checks the command before any work starts. Throws Error.
 void BakeJob::check() const {
     if (command_.animation.asked() && holds_mesh(command_.out))
@@ -222,6 +219,8 @@ void BakeJob::check_idle() const {
         refuse("--normal-y -", "normals in object space have the mesh's own axes");
     if (command_.normal_y == "-" && holds_mesh(command_.out) && is_gltf(command_.out))
         refuse("--normal-y -", "the green of a glTF's normals points up");
+    if (command_.normal_y == "-" && is_materialx(command_.out))
+        refuse("--normal-y -", "the green of MaterialX's normals points up");
     if (!command_.packing.empty() && plan_.kind == ImageKind::rgb_float)
         refuse("--pack", "an .exr has a layer per channel");
     if (!command_.packing.empty() && picture_names(recipe(), plan_.material()).empty())
@@ -339,10 +338,11 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     Json report =
         report_of(pipeline, pipeline.recipe(), result, synthesizer.get(), std::move(seconds));
     if (!others.empty()) report["others"] = std::move(others);
-    if (!result.lost.empty()) {
-        report["lost"] = result.lost;
+    std::vector<std::string> lost = losses_of_recipe(command_);
+    std::ranges::copy(result.lost, std::back_inserter(lost));
+    if (!lost.empty()) report["lost"] = lost;
+    if (!result.lost.empty())
         warn(fmt::format("{}: {}", command_.out, losses_sentence(result.lost)));
-    }
     write_record(command_.out, made_from_, result.committed, report);
     return report;
 }

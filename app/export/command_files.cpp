@@ -166,7 +166,7 @@ std::vector<std::string> files_of_mesh(const std::string& mesh_path, MeshFiles w
 
 std::vector<std::string> images_of_recipe(const std::string& path_or_preset, const Recipe& recipe) {
     std::vector<std::string> files;
-    const fs::path folder = fs::path(path_or_preset).parent_path();
+    const fs::path folder = fs::path(recipe_file(path_or_preset)).parent_path();
     for (const TextureGraph* graph : {&recipe.texture, &recipe.bump.input})
         for (const GraphImage& image : graph->images) {
             std::string file = (folder / image.file).string();
@@ -177,7 +177,8 @@ std::vector<std::string> images_of_recipe(const std::string& path_or_preset, con
 
 std::vector<std::string> files_of_recipe(const std::string& path_or_preset, const Recipe& recipe) {
     std::vector<std::string> files = images_of_recipe(path_or_preset, recipe);
-    if (!path_or_preset.empty() && !names_preset(path_or_preset)) files.push_back(path_or_preset);
+    if (!path_or_preset.empty() && !names_preset(path_or_preset))
+        files.push_back(recipe_file(path_or_preset));
     return files;
 }
 

@@ -64,7 +64,7 @@ bool read_jpeg_head(JpegReader& reader, std::span<const std::uint8_t> bytes) {
     if (setjmp(reader.errors.jump)) return false;
     ::jpeg_create_decompress(&reader.jpeg);
     ::jpeg_mem_src(&reader.jpeg, bytes.data(), static_cast<unsigned long>(bytes.size()));
-    ::jpeg_read_header(&reader.jpeg, TRUE);
+    ::picture_read.header(&reader.jpeg, TRUE);
     return true;
 }
 
@@ -85,12 +85,13 @@ Error damaged(const std::string& origin, PictureType type, std::string_view why)
     return invalid_file(origin, 0, fmt::format("damaged {} image: {}", to_string(type), why));
 }
 
-Image<Rgb8> decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& origin) {
-    JpegReader reader;
-    const auto fail = [&] {
-        return damaged(origin, PictureType::jpeg, reader.errors.message.data());
-    };
-    if (!read_jpeg_head(reader, bytes)) throw fail();
+Error damaged_jpeg(const JpegReader& reader, const std::string& origin) {
+    return damaged(origin, PictureType::jpeg, reader.errors.message.data());
+}
+
+/// Reads the head. Throws Error for what is not read.
+void open_jpeg(JpegReader& reader, std::span<const std::uint8_t> bytes, const std::string& origin) {
+    if (!read_jpeg_head(reader, bytes)) throw damaged_jpeg(reader, origin);
     if (reader.jpeg.num_components == 4)
         throw Error(
             ExitCode::unsupported,
@@ -102,8 +103,13 @@ Image<Rgb8> decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& 
     if (pixels / most_pixels_a_byte > bytes.size())
         throw damaged(origin, PictureType::jpeg,
                       "the file is too short for the size it declares (truncated)");
+}
+
+Image<Rgb8> decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& origin) {
+    JpegReader reader;
+    open_jpeg(reader, bytes, origin);
     Image<Rgb8> image(reader.jpeg.image_width, reader.jpeg.image_height);
-    if (!read_jpeg_rows(reader, image)) throw fail();
+    if (!read_jpeg_rows(reader, image)) throw damaged_jpeg(reader, origin);
     return image;
 }
 
@@ -119,10 +125,15 @@ Image<Pixel> decode_webp(std::span<const std::uint8_t> bytes, const ::WebPBitstr
     return image;
 }
 
-PictureColors decode_webp(std::span<const std::uint8_t> bytes, const std::string& origin) {
+::WebPBitstreamFeatures webp_head(std::span<const std::uint8_t> bytes, const std::string& origin) {
     ::WebPBitstreamFeatures has;
     if (::WebPGetFeatures(bytes.data(), bytes.size(), &has) != VP8_STATUS_OK)
         throw damaged(origin, PictureType::webp, "it has no head");
+    return has;
+}
+
+PictureColors decode_webp(std::span<const std::uint8_t> bytes, const std::string& origin) {
+    const ::WebPBitstreamFeatures has = webp_head(bytes, origin);
     if (has.has_animation)
         throw Error(
             ExitCode::unsupported,
@@ -151,8 +162,26 @@ PictureColors decode_picture(std::span<const std::uint8_t> bytes, const std::str
                 fmt::format("{} is {}; convert it to {}", origin, to_string(type), pictures_read));
 }
 
+std::vector<std::uint8_t> read_picture_bytes(const std::string& path) {
+    if (!is_read(picture_type(read_file_head(path, 16))))
+        throw invalid_file(path, 0, fmt::format("this is no {} image", pictures_read));
+    return read_regular_file(path, most_picture_bytes);
+}
+
 PictureColors read_picture(const std::string& path) {
-    return decode_picture(read_regular_file(path, most_picture_bytes), path);
+    return decode_picture(read_picture_bytes(path), path);
+}
+
+PngSize picture_size(const std::string& path) {
+    if (picture_type(read_file_head(path, 16)) == PictureType::png) return png_size(path);
+    const std::vector<std::uint8_t> bytes = read_picture_bytes(path);
+    if (picture_type(bytes) == PictureType::webp) {
+        const ::WebPBitstreamFeatures has = webp_head(bytes, path);
+        return {std::size_t(has.width), std::size_t(has.height)};
+    }
+    JpegReader reader;
+    open_jpeg(reader, bytes, path);
+    return {reader.jpeg.image_width, reader.jpeg.image_height};
 }
 
 }  // namespace burl

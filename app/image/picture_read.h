@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/image/image_io.h"
 #include "atlas/base/enum_names.h"
@@ -32,7 +33,15 @@ inline constexpr auto pictures_read = "PNG, JPEG or WebP";
 /// 2^28 pixels.
 PictureColors decode_picture(std::span<const std::uint8_t> bytes, const std::string& origin);
 
-/// Reads a file as decode_picture() does. Throws Error(io), too.
+/// The bytes of a regular file, for decode_picture(). Throws Error: io, and invalid_file where they
+/// do not begin as a format that is read does.
+std::vector<std::uint8_t> read_picture_bytes(const std::string& path);
+
+/// Reads a file. Throws Error as read_picture_bytes() and decode_picture() do.
 PictureColors read_picture(const std::string& path);
+
+/// The size in pixels that a file's head declares, which need not be true. Throws Error as
+/// read_picture() does.
+PngSize picture_size(const std::string& path);
 
 }  // namespace burl

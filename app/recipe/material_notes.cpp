@@ -22,7 +22,7 @@ std::vector<MaterialNote> make_notes() {
     std::vector<MaterialNote> all;
     for (const std::string_view material : material_names()) {
         const std::string name(material);
-        const Json json = parse_json_text(recipe_text(name), name);
+        const Json json = parse_json_text(recipe_text(name).json, name);
         all.push_back({name, json.value("group", ""), json.value("about", "")});
     }
     std::ranges::sort(all, {}, shown_order);

@@ -9,6 +9,7 @@
 #include "app/base/embedded.h"
 #include "app/base/file_bytes.h"
 #include "app/base/messages.h"
+#include "app/materialx/materialx.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -36,7 +37,7 @@ Error unknown_preset(const std::string& name) {
         ExitCode::usage,
         fmt::format("there is no recipe or material \"{}\"; {}`burl list recipes` and `burl "
                     "list materials` name them all; anything else must be the path of a "
-                    ".json file",
+                    ".json or .mtlx file",
                     name, hint));
 }
 
@@ -54,14 +55,26 @@ bool names_preset(std::string_view path_or_preset) {
     return path_or_preset.find_first_of("./") == std::string_view::npos;
 }
 
-std::string recipe_text(const std::string& path_or_preset) {
+bool names_recipe_file(std::string_view path) {
+    return path.ends_with(extension) || names_materialx(path);
+}
+
+std::string recipe_file(const std::string& path) {
+    return materialx_path(path).file;
+}
+
+RecipeText recipe_text(const std::string& path_or_preset) {
     if (!names_preset(path_or_preset)) {
-        const std::vector<std::uint8_t> bytes = read_file_bytes(path_or_preset);
-        return {bytes.begin(), bytes.end()};
+        const std::string file = recipe_file(path_or_preset);
+        const std::vector<std::uint8_t> bytes = read_file_bytes(file);
+        const std::string text(bytes.begin(), bytes.end());
+        if (!names_materialx(path_or_preset)) return {text, {}, file};
+        MaterialXRecipe recipe = recipe_of_materialx(text, path_or_preset);
+        return {std::move(recipe.json), std::move(recipe.losses), file};
     }
     for (const auto& files : {embedded_recipes(), embedded_materials()}) {
         const auto found = std::ranges::find(files, path_or_preset, preset_name);
-        if (found != files.end()) return std::string(found->content);
+        if (found != files.end()) return {std::string(found->content), {}, path_or_preset};
     }
     throw unknown_preset(path_or_preset);
 }

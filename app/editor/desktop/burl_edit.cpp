@@ -12,6 +12,7 @@
 #include "app/editor/window/program.h"
 #include "app/options/command_options.h"
 #include "app/options/light.h"
+#include "app/recipe/presets.h"
 #include "atlas/base/error.h"
 
 namespace {
@@ -108,7 +109,7 @@ int main(int argc, char** argv) {
         burl::warn(fmt::format("burl-edit: {}; burl-edit --help lists the options", wrong.what()));
         return int(burl::ExitCode::usage);
     }
-    if (command.editor.mesh.ends_with(".json") && program.count("--recipe") == 0)
+    if (burl::names_recipe_file(command.editor.mesh) && program.count("--recipe") == 0)
         command.editor.recipe = std::exchange(command.editor.mesh, burl::EditorOptions{}.mesh);
     command.editor.synthesis = *burl::enum_named<burl::EditSynthesis>(command.synthesis);
     try {

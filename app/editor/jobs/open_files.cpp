@@ -9,6 +9,7 @@
 
 #include "app/export/command_files.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "app/recipe/presets.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/read/read_mesh.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 /// Returns the recipe's file and the image files that the recipe names.
 std::vector<std::string> recipe_files(const std::string& path, const Recipe& recipe) {
-    std::vector<std::string> files{path};
+    std::vector<std::string> files{recipe_file(path)};
     std::ranges::move(images_of_recipe(path, recipe), std::back_inserter(files));
     return files;
 }
@@ -36,7 +37,7 @@ void read_into(FileRead& result, const std::string& mesh) {
         result.pose = std::make_shared<const MeshPose>(load_pose(mesh, result.path));
         return;
     }
-    result.files = look_at({result.path});
+    result.files = look_at({recipe_file(result.path)});
     result.recipe = load_recipe(result.path);
     const WatchedFiles all = look_at(recipe_files(result.path, *result.recipe));
     result.files.paths = all.paths;
@@ -56,7 +57,7 @@ Mesh load_mesh(const std::string& path) {
 }
 
 FileKind kind_of_file(const std::string& path) {
-    return std::filesystem::path(path).extension() == ".json" ? FileKind::recipe : FileKind::mesh;
+    return names_recipe_file(path) ? FileKind::recipe : FileKind::mesh;
 }
 
 FileRead read_opened(const FileWish& wish) {
@@ -161,7 +162,7 @@ void EditOpenFiles::set_recipe(const std::string& path) {
     paths_[std::size_t(FileKind::recipe)] = path;
     asks_ = false;
     const bool file = is_file(FileKind::recipe, path);
-    watch_.watch(FileKind::recipe, file ? look_at({path}) : WatchedFiles{});
+    watch_.watch(FileKind::recipe, file ? look_at({recipe_file(path)}) : WatchedFiles{});
     if (file) recent_.add(path);
 }
 

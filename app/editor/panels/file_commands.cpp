@@ -71,6 +71,7 @@ void FileCommands::show_dialog(EditItems& items) {
 void FileCommands::open_dialog() {
     std::vector<std::string> extensions = mesh_extensions();
     extensions.push_back(".json");
+    extensions.push_back(".mtlx");
     FileDialog::Wish wish{.title = "Open a mesh or recipe", .extensions = std::move(extensions)};
     wish.places = places();
     ask(std::move(wish), [this](const std::string& path) { loader_.files().open(path); });
@@ -221,12 +222,12 @@ ExportRequest FileCommands::export_request(const std::string& path) {
 
 void FileCommands::export_dialog() {
     FileDialog::Wish wish{.title = "Export the textured mesh",
-                          .extensions = {".glb", ".gltf", ".obj", ".png", ".jpg", ".webp", ".ktx2",
-                                         ".exr", ".frag", ".glsl"},
+                          .extensions = {".glb", ".gltf", ".obj", ".mtlx", ".png", ".jpg", ".webp",
+                                         ".ktx2", ".exr", ".frag", ".glsl"},
                           .saves = true,
                           .name = session_.recipe().name + ".glb"};
     wish.hint =
-        ".glb .gltf .obj: mesh and texture   .png .jpg .webp .ktx2 .exr: texture   "
+        ".glb .gltf .obj .mtlx: mesh and texture   .png .jpg .webp .ktx2 .exr: texture   "
         ".frag .glsl: shader";
     wish.places = places();
     wish.options = [this](EditItems& items, const std::string& path) {

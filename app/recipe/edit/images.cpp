@@ -1,10 +1,12 @@
 #include "app/recipe/edit/images.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "app/base/messages.h"
 #include "app/base/real_path.h"
-#include "app/image/image_io.h"
+#include "app/image/picture_read.h"
 #include "app/recipe/edit/recipe_json.h"
 
 namespace burl {
@@ -40,12 +42,21 @@ Recipe with_names(Recipe recipe, const std::string& from, const Spell& spell) {
 std::shared_ptr<const MipImage> RecipeImages::pyramid(const std::string& path, ImageWrap wrap) {
     std::shared_ptr<const MipImage>& known = known_[{real_path(path), wrap}];
     if (known) return known;
-    const std::vector<std::uint8_t> bytes = read_png_bytes(path);
+    const std::vector<std::uint8_t> bytes = read_picture_bytes(path);
     digests_.add(path, bytes);
     const auto pyramid_of = [&](const auto& image) {
         return std::make_shared<const MipImage>(image, wrap);
     };
-    return known = std::visit(pyramid_of, decode_png_with_alpha(bytes, path));
+    return known = std::visit(pyramid_of, decode_picture(bytes, path));
+}
+
+void RecipeImages::note_losses(const std::string& path, const std::vector<std::string>& losses) {
+    std::vector<std::string>& known = losses_[path];
+    for (const std::string& loss : losses) {
+        if (std::ranges::find(known, loss) != known.end()) continue;
+        known.push_back(loss);
+        warn(loss);
+    }
 }
 
 Recipe parse_recipe(const std::string& json, const std::string& origin,

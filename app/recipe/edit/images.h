@@ -32,7 +32,13 @@ class RecipeImages {
     /// for.
     FileDigests& digests() { return digests_; }
 
+    /// Notes what a recipe's file says that the recipe does not hold, and warns of what is new.
+    void note_losses(const std::string& path, const std::vector<std::string>& losses);
+    /// The losses of the recipe at a path.
+    const std::vector<std::string>& losses(const std::string& path) { return losses_[path]; }
+
   private:
+    std::map<std::string, std::vector<std::string>> losses_;
     FileDigests digests_;
     std::map<std::pair<std::string, ImageWrap>, std::shared_ptr<const MipImage>> known_;
 };

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/real_path.h"
-#include "app/image/image_io.h"
+#include "app/image/picture_read.h"
 #include "app/recipe/edit/apply.h"
 #include "app/recipe/edit/check.h"
 #include "app/recipe/edit/images.h"
@@ -30,7 +30,7 @@ class DeclaredImages {
     /// Throws Error(invalid_file) for what is too large, by itself or with those before it.
     void add(const std::string& path, ImageWrap wrap) {
         if (!seen_.insert({real_path(path), wrap}).second) return;
-        const PngSize size = png_size(path);
+        const PngSize size = picture_size(path);
         if (std::max(size.width, size.height) > largest_image_side)
             throw invalid_file(path, 0,
                                fmt::format("the image has {} x {} pixels; textures take at most {} "
@@ -186,9 +186,11 @@ Recipe recipe_of(const Json& tree, const Recipe& known, const std::string& origi
 
 Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings,
                    RecipeImages& images) {
-    Recipe recipe = parse_recipe(recipe_text(path_or_preset), path_or_preset, settings, images);
+    const RecipeText text = recipe_text(path_or_preset);
+    Recipe recipe = parse_recipe(text.json, text.origin, settings, images);
+    images.note_losses(path_or_preset, text.losses);
     if (recipe.name.empty() && !names_preset(path_or_preset))
-        recipe.name = std::filesystem::path(path_or_preset).stem().string();
+        recipe.name = std::filesystem::path(text.origin).stem().string();
     return recipe;
 }
 
