@@ -100,6 +100,20 @@ const std::vector<Wrong>& wrong_documents() {
          ExitCode::invalid_file, "\"in1\" is of type \"colour\""},
         {"WrongValue", of_node(add_of + "value=\"1, 2\"/></add>"), ExitCode::invalid_file,
          "bad.mtlx:4: \"in1\" is \"1, 2\", must be a value of type color3"},
+        {"OtherSize",
+         of_node("<add name=\"n\" type=\"color3\"><input name=\"in1\" "
+                 "type=\"vector2\" value=\"1, 2\"/></add>"),
+         ExitCode::invalid_file, "bad.mtlx:4: \"in1\" of n is of type vector2, must be color3"},
+        {"OtherShaderInput",
+         in_root("<standard_surface name=\"S\" type=\"surfaceshader\"><input "
+                 "name=\"base_color\" type=\"vector2\" value=\"1, "
+                 "2\"/></standard_surface>"),
+         ExitCode::invalid_file, "\"base_color\" of S is of type vector2, must be color3"},
+        {"OtherResult",
+         of_node("<position name=\"p\" type=\"vector3\"/><normalize name=\"n\" "
+                 "type=\"float\"><input name=\"in\" type=\"vector3\" "
+                 "nodename=\"p\"/></normalize>"),
+         ExitCode::invalid_file, "\"in\" of n is of type vector3, must be float"},
         {"NotANumber", of_node(add_of + "value=\"nan, 0, 0\"/></add>"), ExitCode::invalid_file,
          "must be a value of type color3"},
         {"TooLarge", of_node(add_of + "value=\"1e30, 0, 0\"/></add>"), ExitCode::invalid_file,
