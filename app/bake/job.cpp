@@ -17,7 +17,6 @@
 #include "app/base/sha256.h"
 #include "app/base/stopwatch.h"
 #include "app/base/version.h"
-#include "app/export/command_files.h"
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
@@ -156,16 +155,6 @@ std::vector<std::string> BakeJob::outputs(const std::vector<std::string>& paths,
     return outputs;
 }
 
-/// Throws Error if an output would replace a file that is read or another output.
-void BakeJob::check_files(const std::vector<std::string>& paths) const {
-    CommandFiles files;
-    files.read(inputs_);
-    for (const std::string& path : outputs(paths, plan_.levels.count))
-        files.write(path, path == command_.solid_map ? ".exr" : "");
-    if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
-    files.write(record_path(command_.out));
-}
-
 /// Checks the command before any work starts. Throws Error.
 void BakeJob::check() const {
     if (command_.animation.asked() && holds_mesh(command_.out))
@@ -223,6 +212,8 @@ void BakeJob::check_idle() const {
         refuse("--normal-y -", "normals in object space have the mesh's own axes");
     if (command_.normal_y == "-" && holds_mesh(command_.out) && is_gltf(command_.out))
         refuse("--normal-y -", "the green of a glTF's normals points up");
+    if (command_.normal_y == "-" && is_materialx(command_.out))
+        refuse("--normal-y -", "the green of MaterialX's normals points up");
     if (!command_.packing.empty() && plan_.kind == ImageKind::rgb_float)
         refuse("--pack", "an .exr has a layer per channel");
     if (!command_.packing.empty() && picture_names(recipe(), plan_.material()).empty())

@@ -177,6 +177,11 @@ BakedMaterial bake_levels(Pipeline& pipeline, const MaterialAsked& asked,
 Packing packing_asked(const std::string& text, const std::string& out_path) {
     const bool gltf = is_gltf(out_path);
     if (text.empty()) return gltf ? Packing::gltf : Packing::separate;
+    if (is_materialx(out_path))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --pack {}: a MaterialX document names one picture per "
+                                "channel; leave --pack out",
+                                out_path, text));
     const Packing packing = *enum_named<Packing>(text);
     if (gltf && packing != Packing::gltf)
         throw Error(ExitCode::usage,

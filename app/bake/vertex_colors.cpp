@@ -30,7 +30,7 @@ std::vector<Vec4f> vertex_colors(const Recipe& recipe, const Mesh& mesh) {
 }
 
 void check_vertex_colors(const std::string& out, const RecipeOptions& recipe) {
-    if (!holds_colors(out))
+    if (!holds_colors(out) || is_materialx(out))
         throw Error(ExitCode::usage,
                     fmt::format("{}: --vertex-colors: only .glb, .gltf, .obj and .ply hold points "
                                 "with colours",

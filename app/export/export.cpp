@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Format { glb, gltf, obj, ply, stl, picture, exr };
+enum class Format { glb, gltf, obj, mtlx, ply, stl, picture, exr };
 
 Format format_of(const std::string& path) {
     const std::string extension = lower_extension(path);
@@ -23,6 +23,7 @@ Format format_of(const std::string& path) {
     if (extension == ".glb") return Format::glb;
     if (extension == ".gltf") return Format::gltf;
     if (extension == ".obj") return Format::obj;
+    if (extension == ".mtlx") return Format::mtlx;
     if (extension == ".ply") return Format::ply;
     if (extension == ".stl") return Format::stl;
     if (extension == ".exr") return Format::exr;
@@ -30,8 +31,8 @@ Format format_of(const std::string& path) {
                                  ? "has no extension"
                                  : fmt::format("has the unknown extension '{}'", extension);
     throw Error(ExitCode::usage,
-                fmt::format("{}: the output {}; use .glb, .gltf, .obj, .ply, .stl, .png, .jpg, "
-                            ".webp, .ktx2 or .exr",
+                fmt::format("{}: the output {}; use .glb, .gltf, .obj, .mtlx, .ply, .stl, .png, "
+                            ".jpg, .webp, .ktx2 or .exr",
                             path, what));
 }
 
@@ -144,6 +145,9 @@ PictureCoding coding_asked(const std::string& text, const std::string& out_path)
         refuse(
             "glTF takes KTX2 only with Basis Universal's compression, which Burl does not "
             "write; use webp, or write the .ktx2 as an output of its own");
+    const bool known = coding.format == TextureFormat::png || coding.format == TextureFormat::jpeg;
+    if (is_materialx(out_path) && !known)
+        refuse("programs that read MaterialX read pictures in png and jpeg; use one of these");
     return coding;
 }
 
@@ -185,8 +189,9 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
     };
     if (out == Format::stl) return paths;
     if (out == Format::gltf) beside(".bin");
-    if (out == Format::obj) beside(".mtl");
-    if (out == Format::gltf || out == Format::obj || out == Format::ply)
+    if (out == Format::mtlx) beside(".obj");
+    if (out == Format::obj || out == Format::mtlx) beside(".mtl");
+    if (out == Format::gltf || out == Format::obj || out == Format::mtlx || out == Format::ply)
         beside(extension_of(format));
     const bool holds_levels = out == Format::glb || out == Format::exr;
     if (holds_levels || format == TextureFormat::ktx2) levels = 0;
@@ -222,7 +227,12 @@ bool holds_mesh(const std::string& out_path) {
 }
 
 bool is_obj(const std::string& out_path) {
-    return format_of(out_path) == Format::obj;
+    const Format format = format_of(out_path);
+    return format == Format::obj || format == Format::mtlx;
+}
+
+bool is_materialx(const std::string& out_path) {
+    return format_of(out_path) == Format::mtlx;
 }
 
 bool is_gltf(const std::string& out_path) {
@@ -246,6 +256,7 @@ std::vector<AtomicFile> scene_files(const std::string& out_path, const Mesh& mes
     const Format format = format_of(out_path);
     if (format == Format::gltf) return write_gltf(content);
     if (format == Format::obj) return write_obj(content);
+    if (format == Format::mtlx) return write_mtlx(content);
     if (format == Format::ply) return write_ply(content);
     std::vector<AtomicFile> files;
     if (format == Format::stl) {

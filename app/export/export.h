@@ -87,12 +87,13 @@ struct ExportOptions {
     std::function<void(const std::string&)> tell{};
 };
 
-/// All files that scene_files writes, `out_path` first: "a.obj" gives a.obj, a.mtl and a.png, and
-/// with MIP levels a.1.png, a.2.png, ...; .glb, .exr and .ktx2 contain their levels. Normals add
-/// a_normal.png and a picture "orm" a_orm.png, with levels of its own, except for .glb;
-/// `normal_levels` says whether the normals have levels, too. `format` is that of pictures where
-/// the output is none itself. Throws Error(usage) unless the extension is one of .glb, .gltf, .obj,
-/// .ply, .stl, .png, .jpg, .jpeg, .webp, .ktx2, .exr (any case), listing them.
+/// All files that scene_files writes, `out_path` first: "a.obj" gives a.obj, a.mtl and a.png,
+/// "a.mtlx" these and a.mtlx, and with MIP levels a.1.png, a.2.png, ...; .glb, .exr and .ktx2
+/// contain their levels. Normals add a_normal.png and a picture "orm" a_orm.png, with levels of its
+/// own, except for .glb; `normal_levels` says whether the normals have levels, too. `format` is
+/// that of pictures where the output is none itself. Throws Error(usage) unless the extension is
+/// one of .glb, .gltf, .obj, .mtlx, .ply, .stl, .png, .jpg, .jpeg, .webp, .ktx2, .exr (any case),
+/// listing them.
 std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels = 0,
                                       bool normals = false,
                                       const std::vector<std::string>& pictures = {},
@@ -101,7 +102,7 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
 
 /// The coding of an output's pictures, asked for by the text of --picture-format; empty: by the
 /// output's extension, else PNG. Throws Error(usage) for a wrong text, for another format than that
-/// of the output's extension, and for KTX2 in glTF.
+/// of the output's extension, for KTX2 in glTF and for what is neither PNG nor JPEG in MaterialX.
 PictureCoding coding_asked(const std::string& text, const std::string& out_path);
 
 /// The extension that replaces a texture's own for the picture of its MIP level `level` >= 1:
@@ -117,8 +118,10 @@ std::vector<std::string> paths_without_texture(const std::string& out_path);
 /// Whether the format is .glb or .gltf, whose materials take normal maps in tangent space only.
 /// Throws Error(usage) for an unknown extension.
 bool is_gltf(const std::string& out_path);
-/// Whether the format is .obj. Throws Error(usage) for an unknown extension.
+/// Whether the output has an .obj: .obj and .mtlx. Throws Error(usage) for an unknown extension.
 bool is_obj(const std::string& out_path);
+/// Whether the format is .mtlx. Throws Error(usage) for an unknown extension.
+bool is_materialx(const std::string& out_path);
 
 /// Whether the file contains the mesh with its texture, rather than the texture alone. Throws
 /// Error(usage) for an unknown extension.

@@ -60,6 +60,10 @@ std::vector<AtomicFile> write_gltf(const SceneContent& content);
 /// Error(io).
 std::vector<AtomicFile> write_obj(const SceneContent& content);
 
+/// Writes a MaterialX document of the material beside all that write_obj writes of the mesh; tells
+/// what the document leaves out. Throws Error(io).
+std::vector<AtomicFile> write_mtlx(const SceneContent& content);
+
 /// Writes the .ply file, binary, in the pose if there is one, and the images beside it. Further
 /// placements of a part are copies. Throws Error(io).
 std::vector<AtomicFile> write_ply(const SceneContent& content);

@@ -1,6 +1,6 @@
 // Wavefront OBJ output. Text holds every digit, so positions are the input's doubles in its own
 // coordinates, rather than centred floats. It is built in one buffer per kind of line and written
-// in large pieces.
+// in large pieces. A MaterialX document is written beside an OBJ.
 
 #include <algorithm>
 #include <array>
@@ -19,6 +19,7 @@
 #include "app/export/obj_text.h"
 #include "app/export/placed_triangles.h"
 #include "app/image/image_io.h"
+#include "app/materialx/write/surface.h"
 #include "app/surface/node_transform.h"
 #include "procedural/color/srgb.h"
 
@@ -221,12 +222,40 @@ BakedImage cut(BakedImage image, double cutoff) {
     return image;
 }
 
+/// The material as a MaterialX document has it. The alpha of a mask is 0 or 1 in the picture.
+materialx::BakedSurface surface_of(const SceneContent& content) {
+    const ExportOptions& options = content.options;
+    const TextureFormat format = options.coding.format;
+    materialx::BakedSurface surface{.name = material_name(content), .material = options.material};
+    surface.color = file_name(path_beside(content.path, extension_of(format)));
+    surface.has_alpha = has_alpha(content.image);
+    if (options.material.alpha == AlphaMode::mask) surface.alpha_cutoff = 0.5;
+    if (options.normals) {
+        surface.normals = file_name(normal_map_path(content.path, format));
+        surface.tangent_space = options.normals->tangent_space;
+    }
+    for (const ExportPicture& picture : options.pictures)
+        surface.pictures.emplace_back(picture.name,
+                                      file_name(picture_path(content.path, picture.name, format)));
+    surface.closest = content.atlas.options.overscan == Overscan::nearest;
+    return surface;
+}
+
 std::vector<AtomicFile> write_content(const SceneContent& content) {
     const ShownMesh shown = shown_mesh(content);
     return write_files(content, shown.of(content), shown.normals);
 }
 
 }  // namespace
+
+std::vector<AtomicFile> write_mtlx(const SceneContent& content) {
+    std::vector<AtomicFile> files = write_obj({path_beside(content.path, ".obj"), content.mesh,
+                                               content.atlas, content.image, content.options});
+    const materialx::SurfaceDocument document = materialx::surface_document(surface_of(content));
+    if (!document.lost.empty() && content.options.tell) content.options.tell(document.lost);
+    files.emplace_back(content.path).write(document.text);
+    return files;
+}
 
 std::vector<AtomicFile> write_obj(const SceneContent& content) {
     const Material& material = content.options.material;

@@ -15,9 +15,9 @@
 namespace burl {
 
 void add_bake(CLI::App& program) {
-    auto* verb = program.add_subcommand(
-        "bake",
-        "Texture a mesh and write .glb, .gltf, .obj, .ply, .stl, .png, .jpg, .webp, .ktx2 or .exr");
+    auto* verb = program.add_subcommand("bake",
+                                        "Texture a mesh and write .glb, .gltf, .obj, .mtlx, .ply, "
+                                        ".stl, .png, .jpg, .webp, .ktx2 or .exr");
     auto command = std::make_shared<BakeCommand>();
     add_bake_options(*verb, *command);
     add_run_options(*verb, *command);

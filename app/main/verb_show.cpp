@@ -13,6 +13,7 @@
 #include "app/base/json_text.h"
 #include "app/base/messages.h"
 #include "app/main/verbs.h"
+#include "app/materialx/write/recipe.h"
 #include "app/recipe/edit/controls.h"
 #include "app/recipe/edit/leaves.h"
 #include "app/recipe/edit/recipe_json.h"
@@ -25,7 +26,7 @@ namespace {
 
 struct ShowCommand {
     std::string recipe;
-    bool json = false;
+    bool json = false, materialx = false;
 };
 
 /// A line of the table of controls.
@@ -88,6 +89,13 @@ void print_recipe(const Recipe& recipe, const std::string& path) {
     if (!states.empty()) print_controls(states);
 }
 
+/// Prints the recipe as a document of MaterialX, of a mesh whose coordinates are the solid's.
+void print_materialx(const Recipe& recipe, const std::string& path) {
+    const materialx::RecipeDocument document = materialx::recipe_document(recipe, {});
+    for (const std::string& note : document.notes) warn(fmt::format("{}: {}", path, note));
+    fmt::print("{}", document.text);
+}
+
 void run_show(const ShowCommand& command) {
     const auto [text, losses, origin] = recipe_text(command.recipe);
     const Recipe recipe = parse_recipe(text, origin);
@@ -96,6 +104,7 @@ void run_show(const ShowCommand& command) {
         fmt::print("{}{}", text, text.ends_with('\n') ? "" : "\n");
         return;
     }
+    if (command.materialx) return print_materialx(recipe, command.recipe);
     print_recipe(recipe, command.recipe);
     print_lines(text);
 }
@@ -111,6 +120,9 @@ void add_show(CLI::App& program) {
         ->required();
     verb->add_flag("--json", command->json,
                    "Print the JSON alone, as it was written, or made of a .mtlx");
+    verb->add_flag("--materialx", command->materialx,
+                   "Print a MaterialX document of the same material: its nodes as a node graph")
+        ->excludes("--json");
     verb->callback([command] { run_show(*command); });
 }
 

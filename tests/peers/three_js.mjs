@@ -3,18 +3,14 @@
 // writes FILE.three.png beside each, with SECONDS FILE@SECONDS.three.png of that moment of its first animation; unlit, the base
 // colour as it is, else averaged in linear light, through the tone curve of Khronos PBR Neutral, encoded to sRGB,
 // over the grey of `burl render`. MODULES is the folder whose node_modules holds three.
-import {spawn} from 'node:child_process';
-import {createServer} from 'node:http';
-import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
-import {tmpdir} from 'node:os';
-import {basename, dirname, join, normalize} from 'node:path';
-import {fileURLToPath} from 'node:url';
+import {readFileSync, writeFileSync} from 'node:fs';
+import {join, normalize} from 'node:path';
 import {deflateSync} from 'node:zlib';
+import {browse} from './chromium.mjs';
 
 const [modules, chromium, environment, view, side, ...asked] = process.argv.slice(2);
 const files = asked.map((name) => name.split('@')[0]), times = asked.map((name) => name.split('@')[1] ?? null);
 const unlit = environment === 'unlit';
-const here = dirname(fileURLToPath(import.meta.url));
 const [azimuth, elevation, distance] = view.split(',').map(Number);
 const size = Number(side), supersample = 2, grey = 176;
 
@@ -80,7 +76,6 @@ function png(picture) {
 }
 
 const jobs = files.map((_, i) => ({url: `/file/${i}.glb`, time: times[i], azimuth, elevation, distance, width: size, height: size, supersample}));
-const types = {'.mjs': 'text/javascript', '.js': 'text/javascript', '.html': 'text/html'};
 
 function find(url) {
     if (url === '/jobs') return Buffer.from(JSON.stringify({environment: unlit ? null : '/environment.hdr', jobs}));
@@ -88,59 +83,19 @@ function find(url) {
     const file = url.match(/^\/file\/(\d+)\.glb$/);
     if (file) return readFileSync(files[Number(file[1])]);
     if (url.startsWith('/modules/')) return readFileSync(join(modules, 'node_modules', normalize(url.slice(9))));
-    return readFileSync(join(here, basename(url)));
+    return null;
 }
 
 function receive(url, body) {
-    const number = url.match(/^\/picture\/(\d+)$/);
-    if (number) {
-        const samples = new Float32Array(body.buffer.slice(body.byteOffset, body.byteOffset + body.length));
-        const i = Number(number[1]), moment = times[i] === null ? '' : `@${times[i]}`;
-        writeFileSync(files[i].replace(/\.glb$/, `${moment}.three.png`), png(developed(samples)));
-    } else if (url === '/failed') {
-        console.log(body.toString());
-        finish(1);
-    } else if (url === '/done') {
-        finish(0);
-    }
+    const samples = new Float32Array(body.buffer.slice(body.byteOffset, body.byteOffset + body.length));
+    const i = Number(url.match(/^\/picture\/(\d+)$/)[1]), moment = times[i] === null ? '' : `@${times[i]}`;
+    writeFileSync(files[i].replace(/\.glb$/, `${moment}.three.png`), png(developed(samples)));
 }
 
-const profile = mkdtempSync(join(tmpdir(), 'three-'));
-let browser;
-function finish(code) {
-    browser?.kill('SIGKILL');
-    server.close();
-    setTimeout(() => {
-        rmSync(profile, {recursive: true, force: true, maxRetries: 5});
-        process.exit(code);
-    }, 300);
+try {
+    await browse(chromium, 'page.html', find, receive);
+    process.exit(0);
+} catch (error) {
+    console.log(error.message);
+    process.exit(1);
 }
-
-const server = createServer((request, response) => {
-    const parts = [];
-    request.on('data', (part) => parts.push(part));
-    request.on('end', () => {
-        if (request.method === 'POST') {
-            response.end();
-            receive(request.url, Buffer.concat(parts));
-            return;
-        }
-        try {
-            const body = find(request.url);
-            response.setHeader('Content-Type', types[request.url.slice(request.url.lastIndexOf('.'))] ?? 'application/octet-stream');
-            response.end(body);
-        } catch {
-            response.statusCode = 404;
-            response.end();
-        }
-    });
-});
-server.listen(0, '127.0.0.1', () => {
-    browser = spawn(chromium, ['--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
-        '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage',
-        `--user-data-dir=${profile}`, `http://127.0.0.1:${server.address().port}/page.html`], {stdio: process.env.PEER_LOG ? 'inherit' : 'ignore'});
-    setTimeout(() => {
-        console.log('Chromium did not answer in five minutes.');
-        finish(1);
-    }, 300000).unref();
-});

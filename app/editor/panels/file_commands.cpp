@@ -222,12 +222,12 @@ ExportRequest FileCommands::export_request(const std::string& path) {
 
 void FileCommands::export_dialog() {
     FileDialog::Wish wish{.title = "Export the textured mesh",
-                          .extensions = {".glb", ".gltf", ".obj", ".png", ".jpg", ".webp", ".ktx2",
-                                         ".exr", ".frag", ".glsl"},
+                          .extensions = {".glb", ".gltf", ".obj", ".mtlx", ".png", ".jpg", ".webp",
+                                         ".ktx2", ".exr", ".frag", ".glsl"},
                           .saves = true,
                           .name = session_.recipe().name + ".glb"};
     wish.hint =
-        ".glb .gltf .obj: mesh and texture   .png .jpg .webp .ktx2 .exr: texture   "
+        ".glb .gltf .obj .mtlx: mesh and texture   .png .jpg .webp .ktx2 .exr: texture   "
         ".frag .glsl: shader";
     wish.places = places();
     wish.options = [this](EditItems& items, const std::string& path) {

@@ -6,7 +6,7 @@
 
 #include "app/base/messages.h"
 #include "app/base/real_path.h"
-#include "app/image/jpeg_read.h"
+#include "app/image/picture_read.h"
 #include "app/recipe/edit/recipe_json.h"
 
 namespace burl {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/real_path.h"
-#include "app/image/jpeg_read.h"
+#include "app/image/picture_read.h"
 #include "app/recipe/edit/apply.h"
 #include "app/recipe/edit/check.h"
 #include "app/recipe/edit/images.h"

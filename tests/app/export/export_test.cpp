@@ -34,7 +34,7 @@ TEST(Export, UnknownExtensionsAreAUsageErrorThatListsTheKnown) {
         const auto [code, message] = failure([&] { output_paths(folder / name); });
         EXPECT_EQ(code, ExitCode::usage) << name;
         for (const char* known :
-             {".glb", ".gltf", ".obj", ".png", ".jpg", ".webp", ".ktx2", ".exr"}) {
+             {".glb", ".gltf", ".obj", ".mtlx", ".png", ".jpg", ".webp", ".ktx2", ".exr"}) {
             EXPECT_NE(message.find(known), std::string::npos) << message;
         }
     }
@@ -61,6 +61,9 @@ TEST(Export, BadPlacesAreFoundBeforeTheWork) {
 
 TEST(Export, NamesItsFilesAndItsImage) {
     EXPECT_EQ(output_paths("x/a.obj"), (std::vector<std::string>{"x/a.obj", "x/a.mtl", "x/a.png"}));
+    EXPECT_EQ(
+        output_paths("a.mtlx", 1, true),
+        (std::vector<std::string>{"a.mtlx", "a.obj", "a.mtl", "a.png", "a.1.png", "a_normal.png"}));
     EXPECT_EQ(output_paths("a.b.gltf"),
               (std::vector<std::string>{"a.b.gltf", "a.b.bin", "a.b.png"}));
     EXPECT_EQ(output_paths("a.glb"), (std::vector<std::string>{"a.glb"}));

@@ -138,7 +138,7 @@ const std::vector<Wrong>& wrong_documents() {
         {"Jpeg2000",
          of_node("<image name=\"n\" type=\"color3\"><input name=\"file\" "
                  "type=\"filename\" value=\"a.jp2\"/></image>"),
-         ExitCode::unsupported, "a.jp2 is neither PNG nor JPEG"}};
+         ExitCode::unsupported, "a.jp2 is no PNG, JPEG or WebP"}};
     return all;
 }
 

@@ -2,22 +2,17 @@
 #include <cmath>
 #include <fstream>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/image/image_io.h"
-#include "app/image/jpeg_read.h"
 #include "app/image/picture_coding.h"
 #include "app/measure/evaluate_points.h"
 #include "app/recipe/edit/recipe_json.h"
-#include "atlas/base/error.h"
 #include "atlas/read/read_mesh.h"
 #include "tests/app/support/scratch_folder.h"
 
 namespace burl {
 namespace {
-
-using testing::HasSubstr;
 
 /// A document whose base colour is the node `n`, a color3.
 void write_document(const ScratchFolder& scratch, const std::string& nodes) {
@@ -128,25 +123,6 @@ TEST(MaterialXImage, MayBeJpeg) {
     EXPECT_NEAR(top.x, 0.578, 0.01);  // 200 of 255 in sRGB
     EXPECT_NEAR(top.y, 0.127, 0.01);
     EXPECT_NEAR(top.z, 0.0319, 0.01);
-    EXPECT_EQ(picture_size(scratch / "p.jpg").width, 16u);
-}
-
-TEST(MaterialXImage, AJpegThatIsCutIsDamaged) {
-    const ScratchFolder scratch;
-    Image<Rgb8> image(64, 64);
-    for (std::size_t k = 0; k < 64 * 64; ++k)
-        image(k % 64, k / 64) = {std::uint8_t(k * 7), std::uint8_t(k), std::uint8_t(k * 13)};
-    write_jpeg(scratch / "p.jpg", image);
-    const std::vector<std::uint8_t> whole = read_picture_bytes(scratch / "p.jpg");
-    for (std::size_t length = 3; length + 2 < whole.size(); length += 97) {
-        try {
-            decode_jpeg(std::span(whole).first(length), "p.jpg");
-            ADD_FAILURE() << length;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ExitCode::invalid_file);
-            EXPECT_THAT(error.what(), HasSubstr("p.jpg: damaged JPEG image"));
-        }
-    }
 }
 
 }  // namespace
