@@ -85,6 +85,7 @@ class Reader {
     Value value(const Target& target);
     Value evaluated(const Target& target);
     std::optional<Value> held(const Element& holder, const Scope& scope);
+    Type declared_type(const Element& source) const;
     Value as_declared(const Value& value, const Element& source, const Target& from);
     void index(const Element& element);
 
