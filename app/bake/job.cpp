@@ -17,6 +17,7 @@
 #include "app/base/sha256.h"
 #include "app/base/stopwatch.h"
 #include "app/base/version.h"
+#include "app/export/command_files.h"
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
@@ -49,17 +50,10 @@ Kernel kernel_named(const std::string& name) {
     return found == kernel_names.end() ? Kernel::automatic : found->kernel;
 }
 
-/// What the recipe's document says and the recipe does not hold.
-const std::vector<std::string>& losses_of_recipe(const BakeCommand& command) {
-    return command.recipe.images->losses(command.recipe.recipe);
-}
-
-/// The recipes of all frames, for the reference kernel if the command asks for it. Throws
-/// Error(unsupported) for --strict where they lose something of their document.
+/// The recipes of all frames, for the reference kernel if the command asks for it.
 std::shared_ptr<const std::vector<Recipe>> recipes_of(const BakeCommand& command) {
     std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
-    if (const auto& lost = losses_of_recipe(command); command.strict && !lost.empty())
-        throw Error(ExitCode::unsupported, fmt::format("--strict: {}", fmt::join(lost, "; ")));
+    command.recipe_losses();
     if (command.kernel == reference_kernel)
         std::for_each(recipes.begin(), recipes.end(), apply_reference);
     return std::make_shared<const std::vector<Recipe>>(std::move(recipes));
@@ -338,7 +332,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     Json report =
         report_of(pipeline, pipeline.recipe(), result, synthesizer.get(), std::move(seconds));
     if (!others.empty()) report["others"] = std::move(others);
-    std::vector<std::string> lost = losses_of_recipe(command_);
+    std::vector<std::string> lost = command_.recipe_losses();
     std::ranges::copy(result.lost, std::back_inserter(lost));
     if (!lost.empty()) report["lost"] = lost;
     if (!result.lost.empty())

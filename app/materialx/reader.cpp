@@ -160,6 +160,16 @@ std::optional<Value> Reader::input(const Element& node, std::string_view name, c
     return source ? resolve(*source, scope) : std::nullopt;
 }
 
+std::optional<Value> Reader::input(const Element& node, std::string_view name, const Scope& scope,
+                                   Type wanted) {
+    auto value = input(node, name, scope);
+    if (value && !is_number(value->type) && size_of(value->type) != size_of(wanted))
+        throw document_.error(*node.child("input", name),
+                              fmt::format("\"{}\" of {} is of type {}, must be {}", name,
+                                          node.name(), to_string(value->type), to_string(wanted)));
+    return value;
+}
+
 std::optional<Value> Reader::resolve(const Element& source, const Scope& scope) {
     const Target target = follow(source, scope, 0);
     if (target.node) return as_declared(value(target), source, target);
@@ -169,18 +179,21 @@ std::optional<Value> Reader::resolve(const Element& source, const Scope& scope) 
     return as_declared(*constant, source, target);
 }
 
+Type Reader::declared_type(const Element& source) const {
+    if (const auto type = enum_named<Type>(source.text("type"))) return *type;
+    throw document_.error(source,
+                          fmt::format("\"{}\" is of type \"{}\", must be one of {}", source.name(),
+                                      source.text("type"), fmt::join(enum_names<Type>, ", ")));
+}
+
 Value Reader::as_declared(const Value& value, const Element& source, const Target& from) {
-    const auto type = enum_named<Type>(source.text("type"));
-    if (!type)
-        throw document_.error(
-            source, fmt::format("\"{}\" is of type \"{}\", must be one of {}", source.name(),
-                                source.text("type"), fmt::join(enum_names<Type>, ", ")));
+    const Type type = declared_type(source);
     if (const std::string* channels = source.find("channels"))
-        if (const auto chosen = swizzled(values, value, *channels, *type)) return *chosen;
-    if (*type != value.type)
+        if (const auto chosen = swizzled(values, value, *channels, type)) return *chosen;
+    if (type != value.type)
         throw document_.error(
             source,
-            fmt::format("\"{}\" is of type {}, but {} gives {}", source.name(), to_string(*type),
+            fmt::format("\"{}\" is of type {}, but {} gives {}", source.name(), to_string(type),
                         from.node ? from.scope->path + from.node->name() : "its value",
                         to_string(value.type)));
     return value;
@@ -189,16 +202,15 @@ Value Reader::as_declared(const Value& value, const Element& source, const Targe
 std::optional<Value> Reader::held(const Element& holder, const Scope& scope) {
     const std::string* text = holder.find("value");
     if (!text) return geometry(holder.text("defaultgeomprop"), holder, scope);
-    const auto type = enum_named<Type>(holder.text("type"));
-    if (!type) return {};
-    auto numbers = parse_value(*type, *text);
+    const Type type = declared_type(holder);
+    auto numbers = parse_value(type, *text);
     if (!numbers)
         throw document_.error(holder, fmt::format("\"{}\" is \"{}\", must be a value of type {}",
-                                                  holder.name(), *text, to_string(*type)));
-    if (is_color(*type) && !to_linear(inherited(holder, "colorspace"), *numbers))
+                                                  holder.name(), *text, to_string(type)));
+    if (is_color(type) && !to_linear(inherited(holder, "colorspace"), *numbers))
         throw document_.error(holder, fmt::format("the colour space \"{}\" is not known",
                                                   inherited(holder, "colorspace")));
-    return values.constant(*type, *numbers);
+    return values.constant(type, *numbers);
 }
 
 Value Reader::value(const Target& target) {

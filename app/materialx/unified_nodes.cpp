@@ -111,7 +111,7 @@ NodeRef random_number(const NodeCall& call, NodeRef seed, bool of_integer) {
 }
 
 Value random_float(const NodeCall& call) {
-    const bool of_integer = call.in("in", 0.0).type == Type::integer;
+    const bool of_integer = call.any("in").type == Type::integer;
     const NodeRef random =
         random_number(call, call.values().part(call.in("seed", Type::integer, 0.0), 0), of_integer);
     return call.made(
