@@ -17,7 +17,6 @@
 #include "app/base/sha256.h"
 #include "app/base/stopwatch.h"
 #include "app/base/version.h"
-#include "app/export/command_files.h"
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
@@ -53,6 +52,7 @@ Kernel kernel_named(const std::string& name) {
 /// The recipes of all frames, for the reference kernel if the command asks for it.
 std::shared_ptr<const std::vector<Recipe>> recipes_of(const BakeCommand& command) {
     std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
+    command.recipe_losses();
     if (command.kernel == reference_kernel)
         std::for_each(recipes.begin(), recipes.end(), apply_reference);
     return std::make_shared<const std::vector<Recipe>>(std::move(recipes));
@@ -153,16 +153,6 @@ std::vector<std::string> BakeJob::outputs(const std::vector<std::string>& paths,
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
         if (!path.empty()) outputs.push_back(path);
     return outputs;
-}
-
-/// Throws Error if an output would replace a file that is read or another output.
-void BakeJob::check_files(const std::vector<std::string>& paths) const {
-    CommandFiles files;
-    files.read(inputs_);
-    for (const std::string& path : outputs(paths, plan_.levels.count))
-        files.write(path, path == command_.solid_map ? ".exr" : "");
-    if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
-    files.write(record_path(command_.out));
 }
 
 /// Checks the command before any work starts. Throws Error.
@@ -341,10 +331,11 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     Json report =
         report_of(pipeline, pipeline.recipe(), result, synthesizer.get(), std::move(seconds));
     if (!others.empty()) report["others"] = std::move(others);
-    if (!result.lost.empty()) {
-        report["lost"] = result.lost;
+    std::vector<std::string> lost = command_.recipe_losses();
+    std::ranges::copy(result.lost, std::back_inserter(lost));
+    if (!lost.empty()) report["lost"] = lost;
+    if (!result.lost.empty())
         warn(fmt::format("{}: {}", command_.out, losses_sentence(result.lost)));
-    }
     write_record(command_.out, made_from_, result.committed, report);
     return report;
 }

@@ -1,14 +1,26 @@
-// Checks of a bake: the format of its pictures, and displacement, against what else the command
-// asks for.
+// Checks of a bake: its files, the format of its pictures, and displacement, against what else the
+// command asks for.
 #include "app/bake/job.h"
 
 #include <fmt/format.h>
 
+#include "app/bake/up_to_date.h"
 #include "app/base/messages.h"
+#include "app/export/command_files.h"
 #include "app/pipeline/material.h"
 #include "atlas/base/error.h"
 
 namespace burl {
+
+/// Throws Error if an output would replace a file that is read or another output.
+void BakeJob::check_files(const std::vector<std::string>& paths) const {
+    CommandFiles files;
+    files.read(inputs_);
+    for (const std::string& path : outputs(paths, plan_.levels.count))
+        files.write(path, path == command_.solid_map ? ".exr" : "");
+    if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
+    files.write(record_path(command_.out));
+}
 
 /// Throws Error(usage) where the pictures cannot have what else is asked for.
 void BakeJob::check_coding() const {

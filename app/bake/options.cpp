@@ -179,6 +179,13 @@ bool counts_elsewhere(const std::string& name) {
 
 }  // namespace
 
+std::vector<std::string> BakeCommand::recipe_losses() const {
+    const std::vector<std::string>& losses = recipe.images->losses(recipe.recipe);
+    if (strict && !losses.empty())
+        throw Error(ExitCode::unsupported, fmt::format("--strict: {}", fmt::join(losses, "; ")));
+    return losses;
+}
+
 void add_bake_options(CLI::App& verb, BakeCommand& command) {
     verb.add_option("mesh", command.mesh, "Mesh file: .obj .ply .stl .off .gltf .glb")->required();
     verb.add_option("-o,--output", command.out, "Output file; its extension says what")->required();

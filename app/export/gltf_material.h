@@ -6,9 +6,6 @@
 
 namespace burl {
 
-/// The extension that textures of WebP pictures need.
-inline constexpr const char* webp_extension = "EXT_texture_webp";
-
 /// Numbers in a document from which on the content's things are.
 struct GltfPlaces {
     std::size_t textures = 0, images = 0;  ///< the first texture and image

@@ -11,7 +11,7 @@
 namespace burl {
 
 /// A picture, with alpha or without.
-using Picture = PngColors;
+using Picture = PictureColors;
 
 enum class PictureFormat { png, apng, webp, gif };
 

@@ -144,7 +144,8 @@ Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& o
     return read_pixels<Rgb8>(reader, origin);
 }
 
-PngColors decode_png_with_alpha(std::span<const std::uint8_t> bytes, const std::string& origin) {
+PictureColors decode_png_with_alpha(std::span<const std::uint8_t> bytes,
+                                    const std::string& origin) {
     refuse_other_formats(bytes, origin);
     Reader reader(bytes);
     if (!reader.info || !read_header(reader, true)) throw damaged_png(reader, origin);
@@ -152,7 +153,7 @@ PngColors decode_png_with_alpha(std::span<const std::uint8_t> bytes, const std::
     return read_pixels<Rgb8>(reader, origin);
 }
 
-std::pair<Image<Rgb8>, Image<Grey8>> colors_and_alpha(PngColors image) {
+std::pair<Image<Rgb8>, Image<Grey8>> colors_and_alpha(PictureColors image) {
     if (auto* opaque = std::get_if<Image<Rgb8>>(&image)) return {std::move(*opaque), {}};
     const auto& both = std::get<Image<Rgba8>>(image);
     Image<Rgb8> colors(both.width(), both.height());

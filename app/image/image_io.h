@@ -35,15 +35,15 @@ PngSize png_size(const std::string& path);
 /// Reads bytes in memory as read_png reads a file; `origin` names them in messages.
 Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& origin);
 
-/// The colours of a PNG, with their alpha where the file has any.
-using PngColors = std::variant<Image<Rgb8>, Image<Rgba8>>;
+/// The colours of a picture, with their alpha where the file has any.
+using PictureColors = std::variant<Image<Rgb8>, Image<Rgba8>>;
 
 /// Reads bytes in memory as decode_png does, but keeps alpha: that of an alpha channel, and that of
 /// a palette's or a colour key's transparent colours.
-PngColors decode_png_with_alpha(std::span<const std::uint8_t> bytes, const std::string& origin);
+PictureColors decode_png_with_alpha(std::span<const std::uint8_t> bytes, const std::string& origin);
 
 /// The colours and, of an image that has it, alpha as images of their own.
-std::pair<Image<Rgb8>, Image<Grey8>> colors_and_alpha(PngColors image);
+std::pair<Image<Rgb8>, Image<Grey8>> colors_and_alpha(PictureColors image);
 
 /// The meaning of the pixels: colours, which are marked as sRGB, or data such as normals.
 enum class PngContent { color, data };

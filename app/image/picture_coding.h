@@ -13,6 +13,9 @@ namespace burl {
 
 enum class TextureFormat { png, jpeg, webp, ktx2 };
 
+/// The extension of glTF that textures of WebP pictures need.
+inline constexpr const char* webp_extension = "EXT_texture_webp";
+
 /// A format, and how much its pictures may lose.
 struct PictureCoding {
     TextureFormat format = TextureFormat::png;

@@ -9,6 +9,7 @@
 #include "app/export/export.h"
 #include "app/export/gltf_file.h"
 #include "app/export/gltf_scene.h"
+#include "app/image/picture_read.h"
 #include "app/kept/carve.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"
@@ -20,12 +21,19 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The media type of encoded image bytes, from their signature; empty for an unknown one.
-std::string media_type(std::span<const std::uint8_t> bytes) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.starts_with("\x89PNG")) return "image/png";
-    if (text.starts_with("\xff\xd8\xff")) return "image/jpeg";
-    if (text.starts_with("RIFF")) return "image/webp";
-    return text.starts_with("\xabKTX 20") ? "image/ktx2" : "";
+std::string_view media_type_of(std::span<const std::uint8_t> bytes) {
+    switch (picture_type(bytes)) {
+        case PictureType::png:
+            return media_type(TextureFormat::png);
+        case PictureType::jpeg:
+            return media_type(TextureFormat::jpeg);
+        case PictureType::webp:
+            return media_type(TextureFormat::webp);
+        case PictureType::ktx2:
+            return media_type(TextureFormat::ktx2);
+        default:
+            return "";
+    }
 }
 
 /// Takes an image that lies in a file beside the source into the document. One that is not there
@@ -37,7 +45,7 @@ void embed(KeptDocument& document, Json& image) {
     try {
         const FileBuffer file = read_file((fs::path(document.folder()) / name).string());
         std::vector<std::uint8_t> bytes(file.bytes.get(), file.bytes.get() + file.size);
-        const std::string type = media_type(bytes);
+        const std::string_view type = media_type_of(bytes);
         if (type.empty()) return;
         image["bufferView"] = document.add_view(std::move(bytes));
         image["mimeType"] = type;

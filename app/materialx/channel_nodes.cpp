@@ -19,14 +19,14 @@ Value passed_on(const NodeCall& call) {
 }
 
 Value convert(const NodeCall& call) {
-    return converted(call.values(), call.in("in", Type::number, 0.0), call.type);
+    return converted(call.values(), call.any("in"), call.type);
 }
 
 /// Appends the components of inputs in1, in2 and so on, up to the size of the result.
 Value combine(const NodeCall& call) {
     std::vector<NodeRef> parts;
     for (int k = 1; k <= 4 && parts.size() < size_of(call.type); ++k) {
-        const Value part = call.in(fmt::format("in{}", k), Type::number, 0.0);
+        const Value part = call.any(fmt::format("in{}", k));
         for (const NodeRef one : call.values().parts_of(part)) parts.push_back(one);
     }
     if (parts.size() != size_of(call.type))
@@ -36,7 +36,7 @@ Value combine(const NodeCall& call) {
 }
 
 Value separate(const NodeCall& call) {
-    const Value from = call.in("in", Type::vector4, 0.0);
+    const Value from = call.any("in");
     const std::string channel = call.output.starts_with("out") ? call.output.substr(3) : "";
     const auto part = swizzled(call.values(), from, channel, Type::number);
     if (channel.size() != 1 || !part)
@@ -46,7 +46,7 @@ Value separate(const NodeCall& call) {
 
 Value extract(const NodeCall& call) {
     const auto index = call.constant("index", 0.0);
-    const Value from = call.in("in", Type::vector4, 0.0);
+    const Value from = call.any("in");
     if (!index) return call.varies("index");
     if (*index < 0.0 || *index >= double(size_of(from.type)))
         return call.refused(fmt::format("its value has no component {}", *index));
@@ -55,8 +55,7 @@ Value extract(const NodeCall& call) {
 
 Value swizzle(const NodeCall& call) {
     const std::string channels = call.text("channels");
-    const auto result =
-        swizzled(call.values(), call.in("in", Type::vector4, 0.0), channels, call.type);
+    const auto result = swizzled(call.values(), call.any("in"), channels, call.type);
     if (result) return *result;
     return call.refused(fmt::format("its channels are \"{}\"", channels));
 }

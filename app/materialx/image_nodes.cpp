@@ -108,8 +108,10 @@ std::string problem_of(const NodeCall& call, const ImageFile& file) {
     if (file.path.empty()) return "it names no file";
     if (file.path.find('<') != std::string::npos)
         return "files of several tiles or frames are not read";
-    if (!has_extension(file.path, ".png"))
-        return fmt::format("{} is no PNG, and other images are not read", file.path);
+    constexpr std::array extensions{".png", ".jpg", ".jpeg", ".webp"};
+    if (std::ranges::none_of(
+            extensions, [&](const char* extension) { return has_extension(file.path, extension); }))
+        return fmt::format("{} is no PNG, JPEG or WebP, and other images are not read", file.path);
     if (is_color(call.type) && file.color_space != "srgb_texture" && !is_linear(file.color_space))
         return fmt::format("images of the colour space {} are not read", file.color_space);
     return "";

@@ -50,9 +50,8 @@ Value smooth_step(const NodeCall& call) {
 }
 
 Value mixed(const NodeCall& call) {
-    return call.values().apply(
-        "mix", call.type,
-        {call.in("bg", 0.0), call.in("fg", 0.0), call.in("mix", Type::number, 0.0)});
+    return call.values().apply("mix", call.type,
+                               {call.in("bg", 0.0), call.in("fg", 0.0), call.in("mix", 0.0)});
 }
 
 /// A range of values, from `low` to `high`.

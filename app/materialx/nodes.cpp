@@ -4,10 +4,16 @@
 
 #include <fmt/format.h>
 
+#include "app/materialx/convert.h"
+
 namespace burl::materialx {
 
 Value NodeCall::in(std::string_view name, const Value& otherwise) const {
-    return reader.input(node, name, scope).value_or(otherwise);
+    return reader.input(node, name, scope, otherwise.type).value_or(otherwise);
+}
+
+Value NodeCall::any(std::string_view name) const {
+    return reader.input(node, name, scope).value_or(values().filled(Type::number, 0.0));
 }
 
 Value NodeCall::in(std::string_view name, Type type_left_out, double otherwise) const {
@@ -41,8 +47,10 @@ std::string NodeCall::text(std::string_view name) const {
 }
 
 Value NodeCall::geometry(std::string_view name, const char* property) const {
-    if (const auto given = reader.input(node, name, scope)) return *given;
-    return reader.geometry(property, node, scope);
+    const Type wanted = property == std::string_view("UV0") ? Type::vector2 : Type::vector3;
+    const auto given = reader.input(node, name, scope, wanted);
+    if (!given) return reader.geometry(property, node, scope);
+    return is_number(given->type) ? converted(values(), *given, wanted) : *given;
 }
 
 Value NodeCall::refused(const std::string& reason) const {

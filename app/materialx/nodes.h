@@ -25,6 +25,8 @@ struct NodeCall {
     Value in(std::string_view name, double otherwise) const;
     Value in(std::string_view name, Type type_left_out, double otherwise) const;
     Value in(std::string_view name, const Value& otherwise) const;
+    /// The value of an input of whichever type; the number 0 where it is left out.
+    Value any(std::string_view name) const;
     /// The node of an input that is a number.
     NodeRef number(std::string_view name, double otherwise) const;
     /// The numbers of an input; none where they vary.

@@ -25,6 +25,10 @@ struct Noise {
     int dimensions;
     NodeInputs inputs{};
     Json parameters = Json::object();
+    /// By how far the place of the fourth component is moved, as measured
+    /// (tests/app/materialx/graphs.mtlx).
+    std::array<double, 3> elsewhere{19.0, 73.0, 29.0};
+    bool pairs = false;  ///< whether a vector2 is two numbers, the second of which is elsewhere
 };
 
 NodeRef noise_at(const NodeCall& call, const Noise& noise, const Value& place, bool color) {
@@ -40,10 +44,10 @@ Value moved(const NodeCall& call, const Value& place, const std::vector<double>&
     return call.values().apply("add", place.type, {place, call.values().constant(place.type, by)});
 }
 
-/// The noise's number at a place that is far from any other.
+/// The noise's number at a place moved by its `elsewhere`.
 NodeRef noise_elsewhere(const NodeCall& call, const Noise& noise, const Value& place) {
-    const std::vector<double> offset =
-        noise.dimensions == 2 ? std::vector{19.0, 193.0} : std::vector{19.0, 193.0, 17.0};
+    std::vector<double> offset(noise.elsewhere.begin(), noise.elsewhere.end());
+    offset.resize(std::size_t(noise.dimensions));
     return noise_at(call, noise, moved(call, place, offset), false);
 }
 
@@ -51,6 +55,9 @@ NodeRef noise_elsewhere(const NodeCall& call, const Noise& noise, const Value& p
 Value noise_value(const NodeCall& call, const Noise& noise) {
     const Value place = place_of(call);
     if (is_number(call.type)) return call.made(noise_at(call, noise, place, false));
+    if (call.type == Type::vector2 && noise.pairs)
+        return call.values().of_parts(
+            call.type, {noise_at(call, noise, place, false), noise_elsewhere(call, noise, place)});
     const NodeRef color = noise_at(call, noise, place, true);
     if (size_of(call.type) < 4) return call.values().of_color(call.type, color);
     return call.values().of_color(call.type, color, noise_elsewhere(call, noise, place));
@@ -74,7 +81,8 @@ NodeInputs fractal_inputs(const NodeCall& call) {
 }
 
 Value fractal(const NodeCall& call) {
-    const Noise noise{"materialx_fractal", dimensions_of(call), fractal_inputs(call)};
+    const Noise noise{"materialx_fractal", dimensions_of(call), fractal_inputs(call),
+                      Json::object(),      {19.0, 193.0, 17.0}, true};
     return with_amplitude(call, noise_value(call, noise));
 }
 

@@ -160,6 +160,16 @@ std::optional<Value> Reader::input(const Element& node, std::string_view name, c
     return source ? resolve(*source, scope) : std::nullopt;
 }
 
+std::optional<Value> Reader::input(const Element& node, std::string_view name, const Scope& scope,
+                                   Type wanted) {
+    auto value = input(node, name, scope);
+    if (value && !is_number(value->type) && size_of(value->type) != size_of(wanted))
+        throw document_.error(*node.child("input", name),
+                              fmt::format("\"{}\" of {} is of type {}, must be {}", name,
+                                          node.name(), to_string(value->type), to_string(wanted)));
+    return value;
+}
+
 std::optional<Value> Reader::resolve(const Element& source, const Scope& scope) {
     const Target target = follow(source, scope, 0);
     if (target.node) return as_declared(value(target), source, target);

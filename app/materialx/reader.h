@@ -45,6 +45,10 @@ class Reader {
     /// The value of a node's input; none where it has neither value nor connection. Throws
     /// Error(invalid_file) for names that nothing has, for types that differ, and for circles.
     std::optional<Value> input(const Element& node, std::string_view name, const Scope& scope);
+    /// The value of an input that must have as many components as a type, or one; throws as input()
+    /// does, and where it has others.
+    std::optional<Value> input(const Element& node, std::string_view name, const Scope& scope,
+                               Type wanted);
     /// The value of an input, or of an output of a graph; throws as input() does.
     std::optional<Value> resolve(const Element& source, const Scope& scope);
     /// Where the connection of an input leads, for types that are no numbers.

@@ -7,7 +7,7 @@ namespace burl::materialx {
 namespace {
 
 NodeRef number_at(Reader& reader, const Target& at, std::string_view name, double otherwise) {
-    const auto given = reader.input(*at.node, name, *at.scope);
+    const auto given = reader.input(*at.node, name, *at.scope, Type::number);
     return given ? reader.values.part(*given, 0) : reader.nodes.number(otherwise);
 }
 

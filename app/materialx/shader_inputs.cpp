@@ -7,12 +7,12 @@
 namespace burl::materialx {
 
 NodeRef ShaderInputs::number(std::string_view name, double otherwise) const {
-    const auto given = reader_.input(*shader_.node, name, *shader_.scope);
+    const auto given = reader_.input(*shader_.node, name, *shader_.scope, Type::number);
     return given ? values().part(*given, 0) : values().nodes.number(otherwise);
 }
 
 Value ShaderInputs::color(std::string_view name, double otherwise) const {
-    const auto given = reader_.input(*shader_.node, name, *shader_.scope);
+    const auto given = reader_.input(*shader_.node, name, *shader_.scope, Type::color3);
     return given.value_or(values().filled(Type::color3, otherwise));
 }
 

@@ -101,19 +101,19 @@ Value unified(const NodeCall& call) {
                               call.number("outmax", 1.0), *clamps != 0.0));
 }
 
-/// A random number of another one, whose fraction counts by 4096ths where it is no integer.
-NodeRef random_number(const NodeCall& call, NodeRef seed) {
+/// A random number of another one, whose fraction counts by 4096ths unless it is an integer's.
+NodeRef random_number(const NodeCall& call, NodeRef seed, bool of_integer) {
     NodeBuilder& nodes = call.nodes();
-    const Value from = call.in("in", Type::number, 0.0);
-    NodeRef first = call.values().part(from, 0);
-    if (from.type == Type::number) first = nodes.math("multiply", {first, nodes.number(4096.0)});
+    NodeRef first = call.number("in", 0.0);
+    if (!of_integer) first = nodes.math("multiply", {first, nodes.number(4096.0)});
     return noise_node(call, "materialx_cellnoise", nodes.combined({first, seed, nodes.number(0.0)}),
                       2);
 }
 
 Value random_float(const NodeCall& call) {
+    const bool of_integer = call.any("in").type == Type::integer;
     const NodeRef random =
-        random_number(call, call.values().part(call.in("seed", Type::integer, 0.0), 0));
+        random_number(call, call.values().part(call.in("seed", Type::integer, 0.0), 0), of_integer);
     return call.made(
         in_range(call.nodes(), random, call.number("min", 0.0), call.number("max", 1.0), true));
 }
@@ -124,7 +124,7 @@ Value random_color(const NodeCall& call) {
     const auto component = [&](double offset, const char* low, double low_otherwise,
                                const char* high) {
         const NodeRef own = nodes.math("ceil", {nodes.math("add", {seed, nodes.number(offset)})});
-        return in_range(nodes, random_number(call, own), call.number(low, low_otherwise),
+        return in_range(nodes, random_number(call, own, false), call.number(low, low_otherwise),
                         call.number(high, 1.0), false);
     };
     const NodeRef hsv = nodes.combined({component(413.3, "huelow", 0.0, "huehigh"),

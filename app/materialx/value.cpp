@@ -24,7 +24,8 @@ Value Arithmetic::of_parts(Type type, const std::vector<NodeRef>& parts) const {
     return value;
 }
 
-Value Arithmetic::of_color(Type type, NodeRef color, std::optional<NodeRef> fourth) const {
+Value Arithmetic::of_color(Type type, NodeRef color, std::optional<NodeRef> fourth) {
+    if (is_number(type)) return number(nodes.channel(color, 0), type);
     Value value{type, color};
     value.parts[3] = fourth;
     return value;
@@ -33,6 +34,7 @@ Value Arithmetic::of_color(Type type, NodeRef color, std::optional<NodeRef> four
 NodeRef Arithmetic::part(const Value& value, std::size_t index) {
     if (is_number(value.type)) return *value.parts[0];
     if (value.parts[index]) return *value.parts[index];
+    if (!value.packed || index > 2) return nodes.number(0.0);
     return nodes.channel(*value.packed, index);
 }
 

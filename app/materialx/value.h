@@ -33,9 +33,9 @@ class Arithmetic {
     Value number(NodeRef ref, Type type = Type::number) const;
     Value of_parts(Type type, const std::vector<NodeRef>& parts) const;
     /// The value whose first components are a colour's channels.
-    Value of_color(Type type, NodeRef color, std::optional<NodeRef> fourth = {}) const;
+    Value of_color(Type type, NodeRef color, std::optional<NodeRef> fourth = {});
 
-    /// A component; of a number the number itself, whatever the index.
+    /// A component, 0 where the value has none; of a number the number itself, whatever the index.
     NodeRef part(const Value& value, std::size_t index);
     std::vector<NodeRef> parts_of(const Value& value);
     /// The first components as a colour, or a number where they are equal. The third of a vector2

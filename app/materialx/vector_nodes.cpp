@@ -22,16 +22,16 @@ NodeRef length_of(Arithmetic& values, const Value& value) {
 }
 
 Value dotproduct(const NodeCall& call) {
-    const Value a = call.in("in1", Type::vector3, 0.0);
+    const Value a = call.any("in1");
     return call.made(dot_product(call.values(), a, call.in("in2", a.type, 0.0)));
 }
 
 Value magnitude(const NodeCall& call) {
-    return call.made(length_of(call.values(), call.in("in", Type::vector3, 0.0)));
+    return call.made(length_of(call.values(), call.any("in")));
 }
 
 Value distance(const NodeCall& call) {
-    const Value a = call.in("in1", Type::vector3, 0.0);
+    const Value a = call.any("in1");
     const Value way = call.values().apply("subtract", a.type, {a, call.in("in2", a.type, 0.0)});
     return call.made(length_of(call.values(), way));
 }

@@ -110,7 +110,8 @@ constexpr double megabyte = 1024.0 * 1024.0, usual_megabytes = 1024.0, most_mega
 }  // namespace
 
 void RecipeOptions::add_recipe(CLI::App& verb) {
-    verb.add_option("-r,--recipe", recipe, "Name of a preset or material, or recipe file (.json, .mtlx)")
+    verb.add_option("-r,--recipe", recipe,
+                    "Name of a preset or material, or recipe file (.json, .mtlx)")
         ->capture_default_str();
     add_settings(verb);
 }

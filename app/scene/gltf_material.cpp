@@ -117,7 +117,8 @@ std::string_view problem_of(const TextureReference& texture, const MaterialReadi
     if (texture.is_moved) return "uses KHR_texture_transform";
     if (reading.uv_set < 0) return "lies on a surface without texture coordinates";
     if (texture.uv_set != reading.uv_set) return "has other texture coordinates than the colour";
-    return reading.textures.has_png(texture.index) ? "" : "is not a PNG that is there";
+    return reading.textures.has_picture(texture.index) ? ""
+                                                       : "is no PNG, JPEG or WebP that is there";
 }
 
 void read_maps(const tinygltf::Material& source, const MaterialReading& reading,

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "app/image/picture_coding.h"
+#include "app/image/picture_read.h"
 #include "atlas/base/error.h"
 #include "atlas/file/text_scanner.h"
 
@@ -36,24 +38,23 @@ TextureWrap wrap_of(int wrap) {
                                                          : TextureWrap::repeat;
 }
 
-/// The format of encoded image bytes, from their signature.
-std::string_view image_type(const std::vector<unsigned char>& bytes) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.starts_with("\x89PNG\r\n\x1a\n")) return "PNG";
-    if (text.starts_with("\xff\xd8\xff")) return "JPEG";
-    if (text.starts_with("RIFF") &&
-        text.substr(std::min<std::size_t>(8, text.size())).starts_with("WEBP"))
-        return "WebP";
-    if (text.starts_with("\xabKTX ")) return "KTX";
-    return "of unknown type";
-}
-
 }  // namespace
 
-bool GltfTextures::has_png(int number) const {
+/// The number of the texture's image, which EXT_texture_webp may give; -1 without one.
+int GltfTextures::source_of(int number) const {
+    const tinygltf::Texture& texture = model_.textures[std::size_t(number)];
+    const auto webp = texture.extensions.find(webp_extension);
+    if (texture.source >= 0 || webp == texture.extensions.end()) return texture.source;
+    const tinygltf::Value& source = webp->second.Get("source");
+    const bool exists = source.IsInt() && source.GetNumberAsInt() >= 0 &&
+                        std::size_t(source.GetNumberAsInt()) < model_.images.size();
+    return exists ? source.GetNumberAsInt() : -1;
+}
+
+bool GltfTextures::has_picture(int number) const {
     if (number < 0 || std::size_t(number) >= model_.textures.size()) return false;
-    const int source = model_.textures[std::size_t(number)].source;
-    return source >= 0 && image_type(model_.images[std::size_t(source)].image) == "PNG";
+    const int source = source_of(number);
+    return source >= 0 && is_read(picture_type(model_.images[std::size_t(source)].image));
 }
 
 int GltfTextures::load(int number, bool is_color) {
@@ -62,7 +63,7 @@ int GltfTextures::load(int number, bool is_color) {
     const tinygltf::Texture& source = model_.textures[std::size_t(number)];
     SceneTexture texture;
     texture.is_color = is_color;
-    std::tie(texture.image, texture.alpha) = colors_and_alpha(image(source.source));
+    std::tie(texture.image, texture.alpha) = colors_and_alpha(image(source_of(number)));
     add_levels(texture, source);
     if (source.sampler >= 0) {
         const tinygltf::Sampler& sampler = model_.samplers[std::size_t(source.sampler)];
@@ -93,24 +94,20 @@ void GltfTextures::add_levels(SceneTexture& texture, const tinygltf::Texture& so
     }
 }
 
-PngColors GltfTextures::image(int number) const {
+PictureColors GltfTextures::image(int number) const {
     const std::string where = fmt::format("images[{}]", number);
-    if (number < 0) {
+    if (number < 0)
         throw Error(
             ExitCode::unsupported,
-            fmt::format("{}: a texture has no PNG image; export it with PNG textures", path_));
-    }
+            fmt::format("{}: a texture has no image that is read; export it with {} textures",
+                        path_, pictures_read));
     const tinygltf::Image& image = model_.images[std::size_t(number)];
     if (image.image.empty()) {
         throw Error(ExitCode::io,
                     fmt::format("{}: the texture '{}' is not there; put it beside the file", path_,
                                 printable(image.uri)));
     }
-    if (const std::string_view type = image_type(image.image); type != "PNG") {
-        throw Error(ExitCode::unsupported,
-                    fmt::format("{}: {} is {}; convert it to PNG", path_, where, type));
-    }
-    return decode_png_with_alpha(image.image, fmt::format("{}: {}", path_, where));
+    return decode_picture(image.image, fmt::format("{}: {}", path_, where));
 }
 
 }  // namespace burl

@@ -1,5 +1,5 @@
 #pragma once
-// Textures of a glTF file as those of a scene: PNG images with their samplers and the MIP levels
+// Textures of a glTF file as those of a scene: images with their samplers and the MIP levels
 // that Burl wrote beside them.
 #include <map>
 #include <string>
@@ -27,14 +27,14 @@ class GltfTextures {
         : model_(model), path_(path), textures_(textures) {}
 
     /// The index in the scene of glTF texture `number`, which must exist, as colour or as data.
-    /// Throws Error: io for an image that is not there, unsupported for one that is no PNG,
-    /// invalid_file for a damaged one.
+    /// Throws Error: io for an image that is not there, and as decode_picture() does.
     int load(int number, bool is_color);
-    /// Whether glTF texture `number` exists and its image is a PNG that is there.
-    bool has_png(int number) const;
+    /// Whether glTF texture `number` exists and its image is there, of a format that is read.
+    bool has_picture(int number) const;
 
   private:
-    PngColors image(int number) const;
+    int source_of(int number) const;
+    PictureColors image(int number) const;
     void add_levels(SceneTexture& texture, const tinygltf::Texture& source) const;
 
     const tinygltf::Model& model_;

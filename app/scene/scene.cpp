@@ -29,6 +29,19 @@ void spread(std::vector<T>& values, const std::vector<Triangle>& triangles) {
     values = std::move(spread);
 }
 
+/// Adds triangle t of the mesh, with corners of its own.
+void add_triangle(Surface& surface, const Mesh& mesh, const std::vector<Vec3f>& normals,
+                  std::size_t t) {
+    const auto first = std::uint32_t(surface.positions.size());
+    surface.triangles.push_back({first, first + 1, first + 2});
+    for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
+        surface.positions.push_back(mesh.positions[mesh.triangles[t][corner - 3 * t]]);
+        surface.normals.push_back(normals[corner]);
+        if (!mesh.corners.uvs.empty()) surface.uvs.push_back(mesh.corners.uvs[corner]);
+        if (!mesh.corners.colors.empty()) surface.colors.push_back(mesh.corners.colors[corner]);
+    }
+}
+
 }  // namespace
 
 Scene load_scene(const std::string& path, const std::string& pose) {
@@ -50,26 +63,26 @@ Scene load_scene(const std::string& path, const std::string& pose) {
 }
 
 Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material) {
+    return scene_from_mesh(mesh, {&material, 1}, {});
+}
+
+Scene scene_from_mesh(const Mesh& mesh, std::span<const SceneMaterial> materials,
+                      std::span<const std::uint32_t> of_triangle) {
     const std::vector<Vec3f> normals = corner_normals(mesh, 40.0);
     Scene scene;
     for (const Part& part : mesh.parts) {
-        Surface surface;
-        surface.material = material;
-        surface.placements = part.instances;
+        std::vector<Surface> surfaces(materials.size());
         for (std::uint32_t k = 0; k < part.triangle_count; ++k) {
             const std::size_t t = part.first_triangle + k;
-            surface.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
-            for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
-                surface.positions.push_back(mesh.positions[mesh.triangles[t][corner - 3 * t]]);
-                surface.normals.push_back(normals[corner]);
-                if (!mesh.corners.uvs.empty()) surface.uvs.push_back(mesh.corners.uvs[corner]);
-                if (!mesh.corners.colors.empty()) {
-                    surface.colors.push_back(mesh.corners.colors[corner]);
-                }
-            }
+            add_triangle(surfaces[of_triangle.empty() ? 0 : of_triangle[t]], mesh, normals, t);
         }
-        if (material.normals >= 0) add_tangents(surface);
-        scene.surfaces.push_back(std::move(surface));
+        for (std::size_t m = 0; m < surfaces.size(); ++m) {
+            if (surfaces[m].triangles.empty()) continue;
+            surfaces[m].material = materials[m];
+            surfaces[m].placements = part.instances;
+            if (materials[m].normals >= 0) add_tangents(surfaces[m]);
+            scene.surfaces.push_back(std::move(surfaces[m]));
+        }
     }
     return scene;
 }

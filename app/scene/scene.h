@@ -3,6 +3,7 @@
 // placements, as glTF describes them. Independent of OpenGL.
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -74,16 +75,16 @@ struct Scene {
     std::vector<std::string> notes;
 };
 
-/// Loads a .glb or .gltf with its PNG textures. An .obj with one material is drawn with that. All
-/// other files (.ply, .stl, .off, .obj with several materials) are drawn in vertex colours or grey.
-/// A glTF may be drawn in one of its own poses (atlas/gltf/pose.h); empty: as its nodes and weights
-/// are stored, skins in their bind pose. Throws Error: io, invalid_file, unsupported (other
-/// formats; JPEG, WebP or KTX textures), usage for a pose that the file does not have.
+/// Loads a .glb, .gltf or .obj with its materials and textures (PNG, JPEG, WebP). All other files
+/// (.ply, .stl, .off) are drawn in vertex colours or grey. A glTF may be drawn in one of its own
+/// poses (atlas/gltf/pose.h); empty: as its nodes and weights are stored, skins in their bind pose.
+/// Throws Error: io, invalid_file, unsupported (other formats, KTX textures among them), usage for
+/// a pose that the file does not have.
 Scene load_scene(const std::string& path, const std::string& pose = {});
 
 /// The scene of a glTF file, with materials. Throws Error as load_scene does.
 Scene load_gltf_scene(const FileBuffer& file, const std::string& pose = {});
-/// The scene of an OBJ file, with one material. Throws Error as load_scene does.
+/// The scene of an OBJ file, with the materials of its library. Throws Error as load_scene does.
 Scene load_obj_scene(const std::string& path);
 
 /// Computes the tangents (app/surface/tangents.h) of a surface with UVs, and gives each triangle
@@ -96,6 +97,11 @@ inline constexpr Vec4f default_grey{0.6f, 0.6f, 0.6f, 1.0f};
 /// The scene of a mesh with its own normals, UVs and colours; missing normals are computed with
 /// creases at 40 degrees.
 Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material);
+
+/// The scene of a mesh whose triangle t has the material of number `of_triangle[t]`: a surface for
+/// each material of a part.
+Scene scene_from_mesh(const Mesh& mesh, std::span<const SceneMaterial> materials,
+                      std::span<const std::uint32_t> of_triangle);
 
 /// The bounding sphere of all placed points of triangles, both at rest and at their morph targets,
 /// so that a view does not change with the target's weight. Its centre is that of the points' box.

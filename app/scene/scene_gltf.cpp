@@ -168,7 +168,8 @@ class GltfSceneLoader {
         if (info.texCoord != uv_set ||
             (uv_set == 0 && surface.uvs.size() != surface.positions.size()))
             return leave_out("has other texture coordinates than the colour");
-        if (!textures_.has_png(info.index)) return leave_out("is not a PNG that is there");
+        if (!textures_.has_picture(info.index))
+            return leave_out("is no PNG, JPEG or WebP that is there");
         surface.material.normals = textures_.load(info.index, false);
         surface.material.normal_scale = float(info.scale);
     }

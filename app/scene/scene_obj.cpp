@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
-#include "app/image/image_io.h"
+#include "app/base/file_bytes.h"
+#include "app/image/picture_read.h"
 #include "app/scene/scene.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_buffer.h"
@@ -39,17 +39,24 @@ void for_each_line(std::string_view text, Visit visit) {
     }
 }
 
+/// The materials of a file's faces.
 struct MaterialUse {
-    std::string library;          ///< the file name of the last mtllib; empty: none
-    std::set<std::string> names;  ///< the names of all usemtl
+    std::string library;                 ///< the file name of the last mtllib; empty: none
+    std::vector<std::string> names;      ///< the names of usemtl, by first use
+    std::vector<std::uint32_t> of_face;  ///< an index into names for each face, or no_index
 };
 
 MaterialUse find_materials(const std::string& path) {
     const FileBuffer file = read_file(path);
     MaterialUse use;
+    std::uint32_t current = no_index;
     for_each_line(file.text(), [&](std::string_view keyword, std::string_view rest) {
         if (keyword == "mtllib") use.library = rest;
-        if (keyword == "usemtl") use.names.emplace(rest);
+        if (keyword == "f" || keyword == "fo") use.of_face.push_back(current);
+        if (keyword != "usemtl") return;
+        const auto found = std::ranges::find(use.names, rest);
+        current = std::uint32_t(found - use.names.begin());
+        if (found == use.names.end()) use.names.emplace_back(rest);
     });
     return use;
 }
@@ -130,38 +137,34 @@ bool file_exists(const std::filesystem::path& path) {
     return std::filesystem::exists(path, ignored);
 }
 
-/// The material that the whole file uses; no value, with a note for stderr, where there is no such
-/// single one.
-std::optional<ObjMaterial> whole_material(const std::string& path, const MaterialUse& use,
-                                          std::vector<std::string>& notes) {
-    if (use.library.empty() || use.names.empty()) return std::nullopt;
-    if (use.names.size() > 1) {
-        notes.push_back(
-            fmt::format("{}: {} materials, of which only one could be drawn; drawn "
-                        "without",
-                        path, use.names.size()));
-        return std::nullopt;
-    }
+/// The materials of these names, in their order; no value, with a note for stderr, where there is
+/// none.
+std::vector<std::optional<ObjMaterial>> find_looks(const std::string& path, const MaterialUse& use,
+                                                   std::vector<std::string>& notes) {
+    std::vector<std::optional<ObjMaterial>> looks(use.names.size());
+    if (use.library.empty()) return looks;
     const auto library = std::filesystem::path(path).parent_path() / use.library;
-    if (!file_exists(library)) {
+    if (!use.names.empty() && !file_exists(library)) {
         notes.push_back(fmt::format("{}: its material file {} is missing; drawn without", path,
                                     printable(use.library)));
-        return std::nullopt;
+        return looks;
     }
-    auto material = parse_material(read_file(library.string()), *use.names.begin());
-    if (!material) {
-        notes.push_back(fmt::format("{}: no material {} in {}; drawn without", path,
-                                    printable(*use.names.begin()), printable(use.library)));
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        looks[i] = parse_material(read_file(library.string()), use.names[i]);
+        if (!looks[i])
+            notes.push_back(fmt::format("{}: no material {} in {}; drawn without", path,
+                                        printable(use.names[i]), printable(use.library)));
     }
-    return material;
+    return looks;
 }
 
-bool is_png(const std::filesystem::path& file) {
-    return file.extension() == ".png" || file.extension() == ".PNG";
+/// Whether the file is there and has a picture's signature that is read.
+bool is_picture(const std::filesystem::path& file) {
+    return file_exists(file) && is_read(picture_type(read_file_head(file.string(), 16)));
 }
 
 /// The colours of a map, and their alpha.
-PngColors read_map(const std::string& obj_path, const char* keyword, const std::string& map) {
+PictureColors read_map(const std::string& obj_path, const char* keyword, const std::string& map) {
     if (map.starts_with('-')) {
         throw Error(ExitCode::unsupported,
                     fmt::format("{}: options of {} ({}) are not supported; leave only the file "
@@ -169,13 +172,7 @@ PngColors read_map(const std::string& obj_path, const char* keyword, const std::
                                 obj_path, keyword, printable(map)));
     }
     const std::filesystem::path file(map);
-    if (!is_png(file)) {
-        throw Error(ExitCode::unsupported, fmt::format("{}: the texture {} is not a PNG; convert "
-                                                       "it to PNG",
-                                                       obj_path, printable(map)));
-    }
-    const std::string png = (std::filesystem::path(obj_path).parent_path() / file).string();
-    return decode_png_with_alpha(read_png_bytes(png), png);
+    return read_picture((std::filesystem::path(obj_path).parent_path() / file).string());
 }
 
 /// Whether alpha is that of the colours' map; a note is made of any other, which is not drawn.
@@ -247,24 +244,22 @@ class ObjPictures {
         look.maps[std::size_t(map)] = texture;
     }
 
-    PngColors read(const char* keyword, const std::string& map) {
+    PictureColors read(const char* keyword, const std::string& map) {
         scene_.files.push_back((folder_ / map).string());
         return read_map(path_, keyword, map);
     }
     /// The picture of a keyword; empty where there is none, or with a note none that can be drawn.
-    PngColors read_if_there(const char* keyword, std::string_view what) {
+    PictureColors read_if_there(const char* keyword, std::string_view what) {
         const std::string map = material_.map(keyword);
         if (map.empty()) return {};
-        if (is_png(map) && file_exists(folder_ / map)) return read(keyword, map);
-        scene_.notes.push_back(
-            fmt::format("{}: the {} {} is not a PNG that is there; drawn "
-                        "without",
-                        path_, what, printable(map)));
+        if (is_picture(folder_ / map)) return read(keyword, map);
+        scene_.notes.push_back(fmt::format("{}: the {} {} is no {} that is there; drawn without",
+                                           path_, what, printable(map), pictures_read));
         return {};
     }
 
     /// Adds a texture; -1 for an empty image.
-    int add(PngColors image, bool is_color) {
+    int add(PictureColors image, bool is_color) {
         SceneTexture texture;
         std::tie(texture.image, texture.alpha) = colors_and_alpha(std::move(image));
         if (texture.image.width() == 0) return -1;
@@ -291,9 +286,10 @@ class ObjPictures {
     /// Loads the picture that the exporter's comment names.
     void load_packed(SceneMaterial& look) {
         const std::string& name = material_.packed;
-        if (!is_png(name) || !file_exists(folder_ / name)) return;
+        if (!is_picture(folder_ / name)) return;
         auto [image, alpha] = colors_and_alpha(read("roughness and metallic", name));
-        if (name.ends_with("_mask.png")) image = from_mask_map(image, alpha);
+        if (std::filesystem::path(name).stem().string().ends_with("_mask"))
+            image = from_mask_map(image, alpha);
         const int texture = add(std::move(image), false);
         look.roughness = look.metallic = 1.0f;
         set(look, MaterialMap::metallic_roughness, texture);
@@ -312,17 +308,23 @@ Scene load_obj_scene(const std::string& path) {
     const Mesh mesh = read_mesh(path);
     const MaterialUse use = find_materials(path);
     Scene pictures;
-    const auto material = whole_material(path, use, pictures.notes);
+    const std::vector<std::optional<ObjMaterial>> found = find_looks(path, use, pictures.notes);
     const bool colored = !mesh.corners.colors.empty();
-    SceneMaterial look;
-    if (!material) look.factor = colored ? Vec4f(1.0f) : default_grey;
-    if (material) {
-        look = material->look;
-        const auto folder = std::filesystem::path(path).parent_path();
-        pictures.files.push_back((folder / use.library).string());
-        if (!mesh.corners.uvs.empty()) ObjPictures(path, *material, pictures).load(look);
+    SceneMaterial none;
+    none.factor = colored ? Vec4f(1.0f) : default_grey;
+    std::vector<SceneMaterial> looks;
+    for (const std::optional<ObjMaterial>& one : found) {
+        looks.push_back(one ? one->look : none);
+        if (one && !mesh.corners.uvs.empty()) ObjPictures(path, *one, pictures).load(looks.back());
     }
-    Scene scene = scene_from_mesh(mesh, look);
+    looks.push_back(none);
+    if (std::ranges::any_of(found, [](const auto& one) { return one.has_value(); }))
+        pictures.files.push_back(
+            (std::filesystem::path(path).parent_path() / use.library).string());
+    std::vector<std::uint32_t> of_triangle;
+    for (const std::uint32_t face : mesh.source_faces)
+        of_triangle.push_back(std::min(use.of_face.at(face), std::uint32_t(use.names.size())));
+    Scene scene = scene_from_mesh(mesh, looks, of_triangle);
     scene.textures = std::move(pictures.textures);
     scene.files = std::move(pictures.files);
     scene.notes = std::move(pictures.notes);

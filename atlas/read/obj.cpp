@@ -5,6 +5,7 @@
 #include <array>
 
 #include "atlas/base/error.h"
+#include "atlas/base/srgb.h"
 #include "atlas/file/text_scanner.h"
 #include "atlas/read/readers.h"
 
@@ -106,7 +107,7 @@ void ObjParser::parse_vertex() {
     auto& colors = soup_.colors.values;
     if (extra == 3 || extra == 4) {
         colors.resize(soup_.points.size() - 1, Vec4f(1.0f));
-        colors.emplace_back(more[extra - 3], more[extra - 2], more[extra - 1], 1.0);
+        colors.push_back(linear_color(more[extra - 3], more[extra - 2], more[extra - 1]));
     } else if (!colors.empty()) {
         colors.emplace_back(1.0f);
     }

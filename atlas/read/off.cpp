@@ -3,6 +3,7 @@
 #include <array>
 
 #include "atlas/base/error.h"
+#include "atlas/base/srgb.h"
 #include "atlas/file/text_scanner.h"
 #include "atlas/read/readers.h"
 
@@ -145,9 +146,10 @@ void OffParser::parse_face(std::uint64_t number) {
 }
 
 void OffParser::finish() {
-    const float scale = colors_are_bytes_ ? 1.0f / 255.0f : 1.0f;
+    const double scale = colors_are_bytes_ ? 1.0 / 255.0 : 1.0;
     for (Vec4f& color : soup_.colors.values)
-        color = Vec4f(Vec3f(color) * scale, color.a < 0.0f ? 1.0f : color.a * scale);
+        color = linear_color(color.r * scale, color.g * scale, color.b * scale,
+                             color.a < 0.0f ? 1.0 : color.a * scale);
     auto& say = soup_.notes.sentences;
     if (lines_with_extras_ > 0)
         say.push_back(fmt::format("{} vertices carry values the header does not announce; ignored",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "atlas/base/srgb.h"
 #include "atlas/read/ply_file.h"
 #include "atlas/read/readers.h"
 
@@ -136,7 +137,8 @@ void PlyParser<Body>::push_vertex(const std::array<double, slot_count>& values) 
     soup_.points.emplace_back(values[px], values[py], values[pz]);
     if (has_normals_) soup_.normals.values.emplace_back(values[nx], values[ny], values[nz]);
     if (has_colors_)
-        soup_.colors.values.emplace_back(values[red], values[green], values[blue], values[alpha]);
+        soup_.colors.values.push_back(
+            linear_color(values[red], values[green], values[blue], values[alpha]));
     if (has_uvs_) soup_.uvs.values.emplace_back(values[tu], 1.0 - values[tv]);  // PLY's v points up
 }
 

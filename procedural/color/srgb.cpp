@@ -49,10 +49,6 @@ namespace burl {
 
 HWY_EXPORT(EncodeSrgb);
 
-double srgb_decode(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 Vec3d linear_light(const Rgb8& color) {
     return {srgb_decode(color.r / 255.0), srgb_decode(color.g / 255.0),
             srgb_decode(color.b / 255.0)};

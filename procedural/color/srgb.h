@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "atlas/base/image.h"
+#include "atlas/base/srgb.h"
 #include "atlas/base/vec.h"
 
 namespace burl {
-
-/// Linear light of an encoded value, both in [0, 1].
-double srgb_decode(double encoded);
 
 /// Linear light of a colour, channels in [0, 1].
 Vec3d linear_light(const Rgb8& color);

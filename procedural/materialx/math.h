@@ -1,6 +1,9 @@
 #pragma once
 // MaterialX's nodes of arithmetic by their definitions (its specification, "Standard Nodes", and
-// its library's node graphs). Operations give 0 where they are not defined.
+// its library's node graphs). Operations give 0 where they are not defined. They differ by at most
+// 1e-6 from MaterialX's shaders in float32, beside values above 1 relatively, at 10,000 points; but
+// those with a sine by 4e-4 and acos by 5e-5, which the shaders' renderer has no better, and dodge
+// near its pole by 1e-3 (tests/peers/materialx_points.py; a table of values holds them).
 #include "procedural/numbers/numeric.h"
 
 namespace burl::materialx {

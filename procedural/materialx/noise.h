@@ -1,13 +1,16 @@
 #pragma once
 // MaterialX's noises at two or three dimensions: Perlin's (noise/hashed_perlin.h) and its sums of
 // octaves, random numbers of cells, and distances to points, one in every cell (Worley, "A Cellular
-// Texture Basis Function", 1996).
+// Texture Basis Function", 1996). MaterialX computes in float32; differences are the largest that
+// tests/peers/materialx_points.py saw at 10,000 points of [-4, 4]^3, and the table of its values
+// (tests/procedural/materialx) holds them.
 #include "procedural/noise/hashed_perlin.h"
 
 namespace burl::materialx {
 
 using namespace numeric;
 
+/// N noises; they differ by at most 3e-6 from MaterialX's.
 template <std::size_t N, class T>
 std::array<T, N> noises(int dimensions, const Triple<T>& p) {
     return dimensions == 2 ? hashed_noises_2d<N>(p) : hashed_noises<N>(p);
@@ -22,7 +25,8 @@ struct Octaves {
 /// The largest number of octaves of a sum.
 inline constexpr double most_octaves = 100.0;
 
-/// The sums of octaves of frequencies 1, l, l^2, ... and weights 1, d, d^2, ...
+/// The sums of octaves of frequencies 1, l, l^2, ... and weights 1, d, d^2, ...; three octaves
+/// differ by at most 3e-6 from MaterialX's, six, which lie 60 times as far from 0, by 4e-5.
 template <std::size_t N, class T>
 std::array<T, N> fractals(int dimensions, Triple<T> p, const Octaves<T>& octaves) {
     std::array<T, N> sums{};
@@ -38,7 +42,8 @@ std::array<T, N> fractals(int dimensions, Triple<T> p, const Octaves<T>& octaves
 }
 
 /// Random numbers in [0, 1] of the cell that holds a point: one of its coordinates' hash, several
-/// of these and their own number. All 0 beyond 2^30 cells.
+/// of these and their own number. All 0 beyond 2^30 cells. They differ by at most 5e-8 from
+/// MaterialX's.
 template <std::size_t N, class T>
 std::array<T, N> cell_noises(int dimensions, const Triple<double>& p) {
     const Triple<double> cell = floors({p.x, p.y, dimensions == 2 ? 0.0 : p.z});
@@ -74,7 +79,7 @@ Triple<T> way_to_point(int dimensions, const Triple<T>& p, const Triple<double>&
 }
 
 /// Distances to the N nearest points of p's cell and of those around it, or N random numbers of the
-/// nearest one's cell.
+/// nearest one's cell; they differ by at most 2e-7 from MaterialX's.
 template <std::size_t N, class T>
 std::array<T, N> worley(int dimensions, const Triple<T>& p, const T& jitter, WorleyStyle style) {
     std::array<T, N> squares;

@@ -141,7 +141,7 @@ constexpr std::array color_rows{
     a_node("image", NodeResult::color, image,
            "an image over [0,1]^2 of the point's first two coordinates, row 0 from 0 on", pbrt, {},
            {Parameter{"file", ParameterType::text, 0, 0, 0, 0, "", "", "",
-                      "a PNG, from the recipe's folder on"},
+                      "a PNG, JPEG or WebP, from the recipe's folder on"},
             one_of("lookup", "\"trilinear\"", "trilinear|ewa",
                    "between MIP levels, or an elliptically weighted average"),
             one_of("wrap", "\"repeat\"", "repeat|black|clamp", "what lies beyond the image"),

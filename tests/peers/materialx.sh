@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Holds MaterialX documents that Burl writes to what MaterialX's own shader generator makes of them, in Chromium:
-#   materialx.sh recipes|baked MODULES SCRATCH BURL
+# Holds the nodes of MaterialX's functions (points), and the documents that Burl writes, to the shaders of MaterialX's own
+# generator, drawn in Chromium:
+#   materialx.sh points|recipes|baked MODULES SCRATCH BURL [POINTS]
 # Exit 77 (skipped) where Node, Chromium or the package is not installed.
 set -euo pipefail
 what=$1 modules=$2 scratch=$3 burl=$4
@@ -14,6 +15,9 @@ chromium=$(command -v chromium) || skip "chromium is not installed"
 rm -rf "$scratch"
 mkdir -p "$scratch"
 case $what in
+    points)
+        command -v python3 >/dev/null || skip "python3 is not installed"
+        python3 "$here/materialx_points.py" "$modules" "$chromium" "$burl" "$scratch" "${5:-10000}" ;;
     recipes) node "$here/materialx_recipes.mjs" "$modules" "$chromium" "$burl" "$scratch" ;;
     baked)
         cd "$scratch"

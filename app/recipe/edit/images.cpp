@@ -6,7 +6,7 @@
 
 #include "app/base/messages.h"
 #include "app/base/real_path.h"
-#include "app/image/image_io.h"
+#include "app/image/picture_read.h"
 #include "app/recipe/edit/recipe_json.h"
 
 namespace burl {
@@ -42,12 +42,12 @@ Recipe with_names(Recipe recipe, const std::string& from, const Spell& spell) {
 std::shared_ptr<const MipImage> RecipeImages::pyramid(const std::string& path, ImageWrap wrap) {
     std::shared_ptr<const MipImage>& known = known_[{real_path(path), wrap}];
     if (known) return known;
-    const std::vector<std::uint8_t> bytes = read_png_bytes(path);
+    const std::vector<std::uint8_t> bytes = read_picture_bytes(path);
     digests_.add(path, bytes);
     const auto pyramid_of = [&](const auto& image) {
         return std::make_shared<const MipImage>(image, wrap);
     };
-    return known = std::visit(pyramid_of, decode_png_with_alpha(bytes, path));
+    return known = std::visit(pyramid_of, decode_picture(bytes, path));
 }
 
 void RecipeImages::note_losses(const std::string& path, const std::vector<std::string>& losses) {

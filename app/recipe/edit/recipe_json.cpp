@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/real_path.h"
-#include "app/image/image_io.h"
+#include "app/image/picture_read.h"
 #include "app/recipe/edit/apply.h"
 #include "app/recipe/edit/check.h"
 #include "app/recipe/edit/images.h"
@@ -30,7 +30,7 @@ class DeclaredImages {
     /// Throws Error(invalid_file) for what is too large, by itself or with those before it.
     void add(const std::string& path, ImageWrap wrap) {
         if (!seen_.insert({real_path(path), wrap}).second) return;
-        const PngSize size = png_size(path);
+        const PngSize size = picture_size(path);
         if (std::max(size.width, size.height) > largest_image_side)
             throw invalid_file(path, 0,
                                fmt::format("the image has {} x {} pixels; textures take at most {} "

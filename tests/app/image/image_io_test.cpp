@@ -212,7 +212,7 @@ TEST(Png, DeclaredSizesBeyondTheDataAllocateNothing) {
 TEST(Png, AlphaIsKeptWhereItIsAskedFor) {
     const auto alphas = [](const std::vector<std::uint8_t>& bytes) {
         std::vector<int> all;
-        const PngColors colors = decode_png_with_alpha(bytes, "a.png");
+        const PictureColors colors = decode_png_with_alpha(bytes, "a.png");
         if (const auto* image = std::get_if<Image<Rgba8>>(&colors))
             for (const Rgba8& p : image->pixels()) all.push_back(p.a);
         return all;

@@ -78,7 +78,7 @@ RawJpeg raw_jpeg(const std::vector<std::uint8_t>& bytes) {
     jpeg.err = ::jpeg_std_error(&errors);
     ::jpeg_create_decompress(&jpeg);
     ::jpeg_mem_src(&jpeg, bytes.data(), bytes.size());
-    ::jpeg_read_header(&jpeg, TRUE);
+    ::picture_read.header(&jpeg, TRUE);
     ::jpeg_start_decompress(&jpeg);
     RawJpeg raw{jpeg.output_width, jpeg.output_height, jpeg.output_components, false, {}};
     for (int c = 0; c < jpeg.num_components; ++c)

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/image/image_io.h"
+#include "app/scene/scene.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl::test {
@@ -44,6 +45,18 @@ TEST_F(PictureFormat, WebpInGltfIsARequiredExtension) {
         const std::string file = slurp(scratch_ / json["images"][image]["uri"].get<std::string>());
         EXPECT_EQ(file.substr(8, 4), "WEBP");
     }
+}
+
+/// The textures of EXT_texture_webp are what the PNGs of the same bake are.
+TEST_F(PictureFormat, WebpIsDrawnAsPngIs) {
+    ASSERT_EQ(bake("w.glb", "--recipe hammered --picture-format webp").exit_code, 0);
+    ASSERT_EQ(bake("p.glb", "--recipe hammered").exit_code, 0);
+    const Scene webp = load_scene(scratch_ / "w.glb"), png = load_scene(scratch_ / "p.glb");
+    EXPECT_TRUE(webp.notes.empty());
+    ASSERT_EQ(webp.textures.size(), png.textures.size());
+    ASSERT_GT(png.textures.size(), 1u);
+    for (std::size_t i = 0; i < png.textures.size(); ++i)
+        EXPECT_TRUE(webp.textures[i].image == png.textures[i].image) << i;
 }
 
 TEST_F(PictureFormat, WebpGoesIntoADocumentThatIsKept) {

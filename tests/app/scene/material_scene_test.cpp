@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "app/image/image_io.h"
+#include "app/image/picture_coding.h"
 #include "app/scene/scene.h"
 #include "procedural/color/srgb.h"
 #include "tests/app/programs/run_program.h"
@@ -17,6 +18,17 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+
+/// A picture of one colour, whatever its name says.
+void write_picture(const std::string& path, const Rgb8& color, const PictureCoding& coding) {
+    std::ofstream file(path, std::ios::binary);
+    encode_picture(
+        Image<Rgb8>(8, 8, color),
+        [&](std::span<const std::uint8_t> bytes) {
+            file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+        },
+        coding);
+}
 
 struct MaterialFolder : ScratchFolder {
     MaterialFolder() {
@@ -129,7 +141,7 @@ TEST(GltfMaterial, WhatIsNotDrawnIsSaidOnce) {
         scene.notes,
         ElementsAre(HasSubstr("materials[0]: occlusionTexture has other texture coordinates"),
                     HasSubstr("emissiveTexture uses KHR_texture_transform"),
-                    HasSubstr("clearcoatTexture is not a PNG that is there"),
+                    HasSubstr("clearcoatTexture is no PNG, JPEG or WebP that is there"),
                     HasSubstr("KHR_materials_volume is not drawn"),
                     HasSubstr("clearcoatNormalTexture is not drawn")));
     EXPECT_EQ(scene.surfaces[0].material.maps, no_material_maps);
@@ -166,13 +178,50 @@ TEST(ObjMaterial, NumbersAndPicturesOfTheExtension) {
     EXPECT_TRUE(scene.textures[std::size_t(m.map(MaterialMap::emissive))].is_color);
 }
 
+/// The signature counts, not the name.
+TEST(GltfMaterial, PicturesMayBeJpegOrWebp) {
+    const MaterialFolder folder;
+    write_picture(folder / "a.png", {40, 80, 120}, {TextureFormat::jpeg, 100});
+    write_picture(folder / "b.png", {200, 30, 10}, {TextureFormat::webp, {}});
+    const Scene scene = folder.load(
+        R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"emissiveTexture":{"index":1})");
+    EXPECT_TRUE(scene.notes.empty());
+    const SceneMaterial& m = scene.surfaces.at(0).material;
+    const Rgb8 jpeg = scene.textures[std::size_t(m.texture)].image(3, 3);
+    EXPECT_NEAR(jpeg.r, 40, 2), EXPECT_NEAR(jpeg.g, 80, 2), EXPECT_NEAR(jpeg.b, 120, 2);
+    const int emissive = m.map(MaterialMap::emissive);
+    EXPECT_EQ(scene.textures[std::size_t(emissive)].image(3, 3), (Rgb8{200, 30, 10}));
+}
+
+/// Faces of three materials, one of which the library lacks.
+TEST(ObjMaterial, EveryFaceHasItsOwn) {
+    const MaterialFolder folder;
+    std::ofstream(folder / "m.mtl") << "newmtl a\nKd 1 0 0\nPr 0.25\nnewmtl b\nKd 0 1 0\n"
+                                       "map_Kd a.png\n";
+    std::ofstream(folder / "m.obj")
+        << "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+           "usemtl b\nf 1/1 2/2 3/3\nusemtl a\nf 2/1 4/2 3/3\nusemtl b\nf 1/1 2/2 4/3\n"
+           "usemtl c\nf 1/1 3/2 4/3\n";
+    const Scene scene = load_scene(folder / "m.obj");
+    EXPECT_THAT(scene.notes, ElementsAre(HasSubstr("no material c")));
+    ASSERT_EQ(scene.surfaces.size(), 3u);
+    EXPECT_EQ(scene.surfaces[0].triangles.size(), 2u);
+    EXPECT_EQ(scene.surfaces[0].material.factor, Vec4f(0, 1, 0, 1));
+    EXPECT_GE(scene.surfaces[0].material.texture, 0);
+    EXPECT_EQ(scene.surfaces[1].positions[1], Vec3d(1, 1, 0));
+    EXPECT_EQ(scene.surfaces[1].material.factor, Vec4f(1, 0, 0, 1));
+    EXPECT_EQ(scene.surfaces[1].material.roughness, 0.25f);
+    EXPECT_EQ(scene.surfaces[1].material.texture, -1);
+    EXPECT_EQ(scene.surfaces[2].material.factor, default_grey);
+}
+
 TEST(ObjMaterial, SaysWhatItLeavesOut) {
     const MaterialFolder folder;
     write_png(folder / "small.png", Image<Rgb8>(1, 1));
     EXPECT_THAT(obj_scene(folder, "map_Pr a.png\nmap_Pm small.png\n").notes,
                 ElementsAre(HasSubstr("map_Pr and map_Pm differ in size")));
     EXPECT_THAT(obj_scene(folder, "map_Ke photo.jpg\n").notes,
-                ElementsAre(HasSubstr("map_Ke photo.jpg is not a PNG that is there")));
+                ElementsAre(HasSubstr("map_Ke photo.jpg is no PNG, JPEG or WebP that is there")));
 }
 
 /// A material that `burl bake` writes to OBJ is read back, whoever's order its pictures are in.

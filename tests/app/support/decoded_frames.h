@@ -186,7 +186,7 @@ class ApngReader {
         append_chunk(png, "IHDR", header_);
         append_chunk(png, "IDAT", data_);
         append_chunk(png, "IEND", {});
-        const PngColors colors = decode_png_with_alpha(png, "a frame");
+        const PictureColors colors = decode_png_with_alpha(png, "a frame");
         const std::size_t left = big_endian(control.subspan(12)),
                           top = big_endian(control.subspan(16));
         std::visit([&](const auto& image) { place(image, left, top); }, colors);

@@ -60,7 +60,9 @@ TEST(ReadObj, VertexColorsAndWeights) {
     const Mesh mesh = read_text("a.obj", "v 0 0 0 1\nv 1 0 0 0.5 0.25 0\nv 0 1 0\nf 1 2 3\n");
     ASSERT_EQ(mesh.corners.colors.size(), 3u);
     EXPECT_EQ(mesh.corners.colors[0], Vec4f(1.0f));
-    EXPECT_EQ(mesh.corners.colors[1], Vec4f(0.5f, 0.25f, 0.0f, 1.0f));
+    EXPECT_NEAR(mesh.corners.colors[1].r, 0.2140411, 1e-6);  // sRGB 0.5
+    EXPECT_NEAR(mesh.corners.colors[1].g, 0.0508761, 1e-6);  // sRGB 0.25
+    EXPECT_EQ(mesh.corners.colors[1].b, 0.0f);
     EXPECT_EQ(mesh.corners.colors[2], Vec4f(1.0f));
 }
 

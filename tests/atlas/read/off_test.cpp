@@ -25,12 +25,14 @@ TEST(ReadOff, HeadersInAllPlaces) {
 TEST(ReadOff, NormalsColorsAndTexture) {
     const Mesh c = read_text(
         "a.off", "COFF\n3 1 0\n0 0 0 255 0 51 255\n1 0 0 0 0 0 0\n0 1 0 0 0 0 0\n3 0 1 2\n");
-    EXPECT_FLOAT_EQ(c.corners.colors[0].b, 0.2f);
+    EXPECT_NEAR(c.corners.colors[0].b, 0.0331048, 1e-6);  // sRGB code 51
     EXPECT_EQ(c.corners.colors[0].a, 1.0f);
     EXPECT_EQ(c.corners.colors[1].a, 0.0f);
     const Mesh f =
         read_text("a.off", "COFF\n3 1 0\n0 0 0 1 0.5 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2\n");
-    EXPECT_EQ(f.corners.colors[0], Vec4f(1.0f, 0.5f, 0.0f, 1.0f));
+    EXPECT_NEAR(f.corners.colors[0].g, 0.2140411, 1e-6);  // sRGB 0.5
+    EXPECT_EQ(Vec4f(f.corners.colors[0].r, 0.0f, f.corners.colors[0].b, f.corners.colors[0].a),
+              Vec4f(1.0f, 0.0f, 0.0f, 1.0f));
     const Mesh all = read_text("a.off",
                                "STCNOFF\n3 1 0\n0 0 0 0 0 3 1 0 0 1 0.25 0.25\n"
                                "1 0 0 1 0 0 0 0 0 1 0 0\n0 1 0 0 1 0 0 0 0 1 1 1\n3 0 1 2\n");

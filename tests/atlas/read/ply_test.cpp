@@ -70,7 +70,7 @@ TEST(ReadPly, Attributes) {
                                "0 1 0 0 1 0 0 0 0 1 1\n3 0 1 2\n");
     EXPECT_EQ(mesh.corners.normals[0], Vec3f(0, 0, 1));
     EXPECT_FLOAT_EQ(mesh.corners.colors[0].r, 1.0f);
-    EXPECT_FLOAT_EQ(mesh.corners.colors[0].b, 0.2f);
+    EXPECT_NEAR(mesh.corners.colors[0].b, 0.0331048, 1e-6);  // sRGB code 51
     EXPECT_EQ(mesh.corners.colors[0].a, 1.0f);
     EXPECT_EQ(mesh.corners.uvs[0], Vec2d(0.5, 0.75));
 }

@@ -77,8 +77,7 @@ TEST(GraphGradient, CasesCoverTheTable) {
     std::set<std::string_view> cases, types;
     for (const GraphCase& graph : graph_cases) cases.insert(graph.node);
     for (const NodeType& type : graph_table())  // masks have no value at a point
-        if (type.mask.components == 0 && !on_the_host_alone(type))
-            types.insert(type.name);
+        if (type.mask.components == 0 && !on_the_host_alone(type)) types.insert(type.name);
     EXPECT_EQ(cases, types);
 }
 
