@@ -64,7 +64,7 @@ bool read_jpeg_head(JpegReader& reader, std::span<const std::uint8_t> bytes) {
     if (setjmp(reader.errors.jump)) return false;
     ::jpeg_create_decompress(&reader.jpeg);
     ::jpeg_mem_src(&reader.jpeg, bytes.data(), static_cast<unsigned long>(bytes.size()));
-    ::picture_read.header(&reader.jpeg, TRUE);
+    ::jpeg_read_header(&reader.jpeg, TRUE);
     return true;
 }
 
