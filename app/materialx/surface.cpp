@@ -111,12 +111,13 @@ constexpr std::array<std::string_view, 22> held_of_standard_surface{"base",
                                                                     "emission_color",
                                                                     "opacity",
                                                                     "normal"};
-constexpr std::array<std::string_view, 20> held_of_open_pbr{
+constexpr std::array<std::string_view, 21> held_of_open_pbr{
     "base_weight",        "base_color",       "base_metalness",      "specular_weight",
     "specular_roughness", "specular_ior",     "transmission_weight", "transmission_color",
     "subsurface_weight",  "subsurface_color", "fuzz_weight",         "fuzz_color",
     "fuzz_roughness",     "coat_weight",      "coat_color",          "coat_roughness",
-    "emission_luminance", "emission_color",   "geometry_opacity",    "geometry_normal"};
+    "emission_luminance", "emission_color",   "geometry_opacity",    "geometry_normal",
+    "coat_darkening"};
 
 const std::vector<LostInput>& lost_of_standard_surface() {
     static const std::vector<LostInput> lost{
@@ -158,7 +159,6 @@ const std::vector<LostInput>& lost_of_open_pbr() {
         {"subsurface_scatter_anisotropy", {0}, "subsurface_weight"},
         {"coat_roughness_anisotropy", {0}, "coat_weight"},
         {"coat_ior", {}, "coat_weight"},
-        {"coat_darkening", {0}, "coat_weight"},
         {"thin_film_weight", {0}},
         {"thin_film_thickness", {0.5}, "thin_film_weight"},
         {"thin_film_ior", {1.4}, "thin_film_weight"},
@@ -249,6 +249,8 @@ Surface open_pbr_surface(const ShaderInputs& in, const Target& displacement) {
     maker.set_emission("emission_luminance");
     maker.set_ior("specular_ior");
     maker.set_unless("opacity", in.number("geometry_opacity", 1.0), 1.0);
+    if (!in.is_zero("coat_weight", 0.0) && !in.is_zero("coat_darkening", 1.0))
+        in.lose("the coat does not darken what is below it (coat_darkening)");
     in.note_lost(lost_of_open_pbr(), held_of_open_pbr);
     maker.surface.height = read_height(in, "geometry_normal", displacement);
     return maker.surface;

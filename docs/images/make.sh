@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes all pictures of README.md and docs/guide/ anew, by Burl itself; those of materials are Blender's (materials.sh).
 #   docs/images/make.sh build/release/bin            all of them
-#   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials blender
+#   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials serpentine blender
 # Debian's packages netpbm (atlases, bumps), webp (tour, materials, blender) and blender (materials, blender) are needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -69,6 +69,10 @@ materials() { # README, docs/guide/materials.md
     "$here/materials.sh" "$burl"
 }
 
+serpentine() { # docs/guide/materials.md
+    "$burl" render sample:bust --direct --recipe "$here/serpentine.mtlx" --size 480x480 -o "$here/serpentine.webp"
+}
+
 blender() { # docs/guide/blender.md
     local run=(blender --background --factory-startup --python-exit-code 1 --python) addon=$here/../../app/blender/burl_addon.py
     mkdir "$scratch/scripts"
@@ -79,7 +83,7 @@ blender() { # docs/guide/blender.md
     cwebp -quiet -q 88 "$scratch/nodes.png" -o "$here/blender-nodes.webp"
 }
 
-parts=(teapot atlases bumps turntable sheet editor tour figures materials blender)
+parts=(teapot atlases bumps turntable sheet editor tour figures materials serpentine blender)
 for part in "${@:-${parts[@]}}"; do
     [[ " ${parts[*]} " == *" $part "* ]] || { echo "$part is no picture: name some of ${parts[*]}" >&2; exit 1; }
     echo "$part"
