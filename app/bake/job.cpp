@@ -17,6 +17,7 @@
 #include "app/base/sha256.h"
 #include "app/base/stopwatch.h"
 #include "app/base/version.h"
+#include "app/export/command_files.h"
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
