@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/base/json_text.h"
 #include "app/materialx/materialx.h"
 #include "app/materialx/write/recipe.h"
 #include "app/measure/evaluate_points.h"
