@@ -73,9 +73,22 @@ std::string NodeWriter::combined(const std::string& type, const std::vector<Oper
     return add(fmt::format("combine{}", parts.size()), type, std::move(elements));
 }
 
+Operand NodeWriter::binary(const std::string& category, const Operand& in1, const Operand& in2) {
+    const double a = in1.constant, b = in2.constant;
+    const bool fixed = in1.is_constant() && in2.is_constant();
+    if (fixed && category == "min") return {std::min(a, b)};
+    if (fixed && category == "max") return {std::max(a, b)};
+    if (const bool sum = category == "add"; sum || category == "multiply") {
+        const double idle = sum ? 0.0 : 1.0;
+        if (fixed) return {sum ? a + b : a * b};
+        if (in1.is_constant() && a == idle) return in2;
+        if (in2.is_constant() && b == idle) return in1;
+    }
+    return number(category, {{"in1", in1}, {"in2", in2}});
+}
+
 Operand NodeWriter::times(const Operand& operand, double factor) {
-    if (operand.is_constant()) return {operand.constant * factor};
-    return factor == 1.0 ? operand : binary("multiply", operand, {factor});
+    return binary("multiply", operand, {factor});
 }
 
 Operand NodeWriter::sum(const std::vector<Operand>& operands, const std::vector<double>& factors,
@@ -102,7 +115,7 @@ Operand NodeWriter::sum(const std::vector<Operand>& operands, const std::vector<
             if (factors[i] != 0.0) add_term(times(operands[i], factors[i]));
     }
     if (empty) return {constant};
-    return constant == 0.0 ? total : binary("add", total, {constant});
+    return binary("add", total, {constant});
 }
 
 }  // namespace burl::materialx

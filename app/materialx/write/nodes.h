@@ -35,10 +35,9 @@ class NodeWriter {
                     std::vector<XmlElement> inputs);
     /// Adds a node of type float.
     Operand number(const std::string& category, const OperandInputs& inputs);
-    /// Adds a node of two float inputs, in1 and in2.
-    Operand binary(const std::string& category, const Operand& in1, const Operand& in2) {
-        return number(category, {{"in1", in1}, {"in2", in2}});
-    }
+    /// Adds a node of two float inputs, in1 and in2; arithmetic of constants, factors of 1 and
+    /// terms of 0 need none.
+    Operand binary(const std::string& category, const Operand& in1, const Operand& in2);
     Operand unary(const std::string& category, const Operand& in) {
         return number(category, {{"in", in}});
     }

@@ -67,10 +67,9 @@ inline void expect_whole_document(const std::string& text) {
     for (const FoundElement& one : all) graphs[one["name"]] = one.inside;
     for (const FoundElement& one : all) {
         const std::string graph = one.tag == "output" ? one.inside : graphs[one.inside];
-        if (const std::string node = one["nodename"]; !node.empty())
-            EXPECT_TRUE(names.contains(graph + '/' + node)) << node;
-        if (const std::string other = one["nodegraph"]; !other.empty())
-            EXPECT_TRUE(names.contains(other + '/' + one["output"])) << one["output"];
+        const std::string node = one["nodename"], other = one["nodegraph"];
+        EXPECT_TRUE(node.empty() || names.contains(graph + '/' + node)) << node;
+        EXPECT_TRUE(other.empty() || names.contains(other + '/' + one["output"])) << other;
     }
 }
 

@@ -56,8 +56,8 @@ TEST(MaterialXRecipe, ChannelsBecomeOutputsAndNumbersInputs) {
         "texture": {"node": "layer_over", "top": "#ff000080", "base": "#00ff0000"},
         "material": {"roughness": {"node": "coordinate"}, "metallic": 0.75, "occlusion": {"node": "coordinate"},
                      "emissive": {"node": "combine", "red": {"node": "coordinate"}}, "height": {"node": "coordinate"}},
-        "bump": {"height": 0.5}, "filter": {"kind": "box"},
-        "controls": [{"name": "gloss", "sets": ["material.metallic"]}]})");
+        "bump": {"height": 0.5}, "filter": {"kind": "exact"},
+        "controls": [{"name": "gloss", "range": [0, 1], "sets": ["material.metallic"]}]})");
     expect_whole_document(document.text);
     std::vector<std::string> outputs;
     for (const FoundElement& one : xml_elements(document.text))
@@ -68,7 +68,7 @@ TEST(MaterialXRecipe, ChannelsBecomeOutputsAndNumbersInputs) {
     EXPECT_EQ(count(document.text, "displacement"), 1u);
     std::string notes;
     for (const std::string& note : document.notes) notes += note + '\n';
-    for (const char* lost : {"filter box", "controls", "displacement", "occlusion"})
+    for (const char* lost : {"filter exact", "controls", "displacement", "occlusion"})
         EXPECT_NE(notes.find(lost), std::string::npos) << notes;
 }
 

@@ -28,7 +28,7 @@ bool has_node(const std::string& document, const std::string& category) {
     return false;
 }
 
-TEST(MaterialXSurface, NumbersAreInputsAndDefaultsOfLayersAreLeftOut) {
+TEST(MaterialXBakedSurface, NumbersAreInputsAndDefaultsOfLayersAreLeftOut) {
     const auto [text, lost] = surface_document(
         {.name = "cube & co", .material = {.metallic = 0.25, .roughness = 0.5}, .color = "a.png"});
     expect_whole_document(text);
@@ -43,7 +43,7 @@ TEST(MaterialXSurface, NumbersAreInputsAndDefaultsOfLayersAreLeftOut) {
     EXPECT_TRUE(text.find("name=\"cube___co\"") != std::string::npos);
 }
 
-TEST(MaterialXSurface, EveryChannelHasItsInput) {
+TEST(MaterialXBakedSurface, EveryChannelHasItsInput) {
     BakedSurface baked{.name = "all", .color = "a.png", .normals = "a_normal.png"};
     for (const char* channel :
          {"metallic", "roughness", "occlusion", "emissive", "specular", "clearcoat",
@@ -78,7 +78,7 @@ TEST(MaterialXSurface, EveryChannelHasItsInput) {
     EXPECT_NE(lost.find("occlusion"), std::string::npos);
 }
 
-TEST(MaterialXSurface, ColoursThatDoNotVaryAreInLinearLight) {
+TEST(MaterialXBakedSurface, ColoursThatDoNotVaryAreInLinearLight) {
     const auto [text, lost] = surface_document(
         {.name = "a",
          .material = {.occlusion = 0.5, .emissive = {255, 0, 188}, .sheen = {0, 255, 0}},
@@ -89,7 +89,7 @@ TEST(MaterialXSurface, ColoursThatDoNotVaryAreInLinearLight) {
     EXPECT_NE(lost.find("0.5"), std::string::npos) << lost;
 }
 
-TEST(MaterialXSurface, AlphaIsTheOpacity) {
+TEST(MaterialXBakedSurface, AlphaIsTheOpacity) {
     BakedSurface baked{.name = "a", .color = "a.png", .has_alpha = true};
     const std::string blended = surface_document(baked).text;
     expect_whole_document(blended);
@@ -101,7 +101,7 @@ TEST(MaterialXSurface, AlphaIsTheOpacity) {
     EXPECT_TRUE(has_node(cut, "ifgreatereq"));
 }
 
-TEST(MaterialXSurface, NormalsOfEitherSpace) {
+TEST(MaterialXBakedSurface, NormalsOfEitherSpace) {
     BakedSurface baked{.name = "a", .color = "a.png", .normals = "n.png", .closest = true};
     const std::string tangent = surface_document(baked).text;
     EXPECT_TRUE(has_node(tangent, "normalmap"));
