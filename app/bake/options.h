@@ -56,7 +56,8 @@ struct BakeCommand {
     /// The mesh at rest, split as --displace says. Throws Error as MeshOptions::load and
     /// subdivided() do.
     Mesh load_mesh() const { return subdivided(meshes.load(mesh), displace.value_or(0)); }
-    /// What the recipe's document says and the recipe, which has been loaded, does not hold. Throws
+    /// Sentences about what the document of the recipe, which has been loaded, says and the recipe
+    /// does not hold. Throws
     /// Error(unsupported) where there is such a thing and --strict was given.
     std::vector<std::string> recipe_losses() const;
     double crease_degrees() const { return crease.value_or(40.0); }

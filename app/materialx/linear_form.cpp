@@ -35,7 +35,7 @@ std::size_t channel_index(const BuiltNode& split) {
     return name == "red" ? 0 : name == "green" ? 1 : 2;
 }
 
-/// What the node computes, by MaterialX's name.
+/// The operation of the node, by MaterialX's name.
 std::string operation_of(const BuiltNode& node) {
     if (node.parameters.contains("operation"))
         return node.parameters["operation"].get<std::string>();

@@ -13,7 +13,7 @@ Value of_two(const NodeCall& call) {
                                {call.in("in1", 0.0), call.in("in2", 0.0)});
 }
 
-/// The same for operations that a second value of 1 leaves alone.
+/// Applies an operation that a second value of 1 leaves alone; that is the default.
 Value by_one(const NodeCall& call) {
     return call.values().apply(call.node.tag, call.type,
                                {call.in("in1", 0.0), call.in("in2", 1.0)});

@@ -40,7 +40,7 @@ struct NodeCall {
 
     /// The value 0, and a note that the node is not read.
     Value refused(const std::string& reason) const;
-    /// As refused(), for an input that must be constant.
+    /// Refuses the node as refused() does, because of an input that must be constant.
     Value varies(std::string_view name) const;
     Value made(NodeRef ref) const { return values().number(ref, type); }
 };

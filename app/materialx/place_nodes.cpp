@@ -45,7 +45,7 @@ Value geomprop(const NodeCall& call) {
     return call.refused(fmt::format("the geometric property \"{}\" is not read", property));
 }
 
-/// What `place2d` does to a vector about its pivot.
+/// The map of `place2d`, applied to a vector about its pivot.
 class Placement {
   public:
     explicit Placement(const NodeCall& call) : call_(call) {

@@ -24,7 +24,7 @@ struct Scope {
     int depth = 0;
 };
 
-/// What a connection leads to: a node's output, or an element that holds a value itself. Neither
+/// The end of a connection: a node's output, or an element that holds a value itself. Neither
 /// for an input that is left out.
 struct Target {
     const Element* node = nullptr;

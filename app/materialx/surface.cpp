@@ -12,7 +12,7 @@ namespace burl::materialx {
 
 namespace {
 
-/// What both shaders share: how layers become the channels of glTF's material.
+/// The part that both shaders share: layers become the channels of glTF's material.
 class SurfaceMaker {
   public:
     explicit SurfaceMaker(const ShaderInputs& inputs)

@@ -9,7 +9,7 @@
 
 namespace burl::materialx {
 
-/// What a recipe has of a surface.
+/// The part of a surface that a recipe has.
 struct Surface {
     NodeRef base_color = 0;
     /// Channels by the recipe's names, but for `ior` and `emissive_strength`.

@@ -26,7 +26,7 @@ std::string recipe_file(const std::string& path);
 /// A recipe as text.
 struct RecipeText {
     std::string json;
-    /// What the file says that no recipe holds, a sentence each (app/materialx/materialx.h).
+    /// Sentences about what the file says and no recipe holds (app/materialx/materialx.h).
     std::vector<std::string> losses{};
     std::string origin;  ///< the file for messages and relative paths, or the name
 };

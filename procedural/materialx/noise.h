@@ -61,7 +61,7 @@ std::array<T, N> cell_noises(int dimensions, const Triple<double>& p) {
     return all;
 }
 
-/// What Worley's noise gives: distances to the nearest points, or random numbers of the nearest
+/// The results of Worley's noise: distances to the nearest points, or random numbers of the nearest
 /// point's cell.
 enum class WorleyStyle { distance, solid };
 

@@ -21,8 +21,8 @@ struct StandardSurface {
 /// displacement DS_name.
 void add_standard_surface(XmlElement& document, const StandardSurface& surface);
 
-/// What standard_surface does not show of a material, as a sentence: the occlusion. Empty where
-/// nothing is.
+/// A sentence about the part of a material that standard_surface does not show, the occlusion;
+/// empty where there is none.
 std::string lost_in_surface(const StandardSurface& surface);
 
 }  // namespace burl::materialx

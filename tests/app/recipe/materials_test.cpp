@@ -23,7 +23,7 @@ namespace {
 class Materials : public testing::TestWithParam<std::string> {
   protected:
     const Recipe recipe = load_recipe(GetParam());
-    const Json json = respelled(Json::parse(recipe_text(GetParam())));
+    const Json json = respelled(Json::parse(recipe_text(GetParam()).json));
 };
 
 TEST_P(Materials, SayWhatTheyAre) {

@@ -188,7 +188,9 @@ TEST(GltfMaterial, PicturesMayBeJpegOrWebp) {
     EXPECT_TRUE(scene.notes.empty());
     const SceneMaterial& m = scene.surfaces.at(0).material;
     const Rgb8 jpeg = scene.textures[std::size_t(m.texture)].image(3, 3);
-    EXPECT_NEAR(jpeg.r, 40, 2), EXPECT_NEAR(jpeg.g, 80, 2), EXPECT_NEAR(jpeg.b, 120, 2);
+    EXPECT_NEAR(jpeg.r, 40, 2);
+    EXPECT_NEAR(jpeg.g, 80, 2);
+    EXPECT_NEAR(jpeg.b, 120, 2);
     const int emissive = m.map(MaterialMap::emissive);
     EXPECT_EQ(scene.textures[std::size_t(emissive)].image(3, 3), (Rgb8{200, 30, 10}));
 }
