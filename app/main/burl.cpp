@@ -78,7 +78,8 @@ std::string usage_sentence(const CLI::App& program, const CLI::ParseError& wrong
     if (arguments.size() < 2 || program.get_option_no_throw(arguments[1]) != nullptr)
         return "a verb is missing (try `burl --help`)";
     std::vector<std::string> verbs;
-    for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; }))
+    for (const CLI::App* verb :
+         program.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); }))
         verbs.push_back(verb->get_name());
     std::vector<std::string> words = option_names(program);
     words.insert(words.end(), verbs.begin(), verbs.end());
@@ -102,6 +103,7 @@ void set_up(CLI::App& program) {
     burl::add_figures(program);
     burl::add_list(program);
     burl::add_show(program);
+    burl::add_manual(program);
 }
 
 /// Runs the verb, reports errors and returns the exit code. A wrong command line gives one sentence

@@ -17,5 +17,6 @@ void add_eval(CLI::App& program);
 void add_figures(CLI::App& program);
 void add_list(CLI::App& program);
 void add_show(CLI::App& program);
+void add_manual(CLI::App& program);
 
 }  // namespace burl

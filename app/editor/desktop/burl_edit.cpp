@@ -12,6 +12,7 @@
 #include "app/editor/window/program.h"
 #include "app/options/command_options.h"
 #include "app/options/light.h"
+#include "app/options/manual.h"
 #include "app/recipe/presets.h"
 #include "atlas/base/error.h"
 
@@ -92,15 +93,30 @@ void add_script_options(CLI::App& program, Command& command) {
         ->needs(unseen);
 }
 
+/// Adds --manual, for those who package Burl: a page for man, or a shell's completion.
+void add_manual(CLI::App& program, std::string& form) {
+    program.add_option("--manual", form, "man, or a shell")
+        ->check(burl::one_of({"man", "bash", "zsh", "fish"}))
+        ->group("");
+}
+
+void print_manual(const CLI::App& program, const std::string& form) {
+    fmt::print("{}", form == "man"
+                         ? burl::program_page(program)
+                         : burl::completion(program, *burl::enum_named<burl::Shell>(form)));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App program{"Texture editor: open a mesh, move sliders, save a .glb"};
+    CLI::App program{"Texture editor: open a mesh, move sliders, save a .glb", "burl-edit"};
     Command command;
     command.editor.recipe = "malachite";  // what shows best, in the studio, what there is to edit
     program.set_version_flag("--version", std::string(burl::burl_version()));
     add_editor_options(program, command);
     add_script_options(program, command);
+    std::string manual;
+    add_manual(program, manual);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& asked) {
@@ -109,6 +125,7 @@ int main(int argc, char** argv) {
         burl::warn(fmt::format("burl-edit: {}; burl-edit --help lists the options", wrong.what()));
         return int(burl::ExitCode::usage);
     }
+    if (!manual.empty()) return print_manual(program, manual), 0;
     if (burl::names_recipe_file(command.editor.mesh) && program.count("--recipe") == 0)
         command.editor.recipe = std::exchange(command.editor.mesh, burl::EditorOptions{}.mesh);
     command.editor.synthesis = *burl::enum_named<burl::EditSynthesis>(command.synthesis);
