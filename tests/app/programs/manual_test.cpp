@@ -1,6 +1,6 @@
 // Manual pages and completions, against the programs' help and the shells themselves.
-#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,6 @@
 #include "app/recipe/parameters.h"
 #include "procedural/graph/table.h"
 #include "tests/app/programs/run_program.h"
-#include "tests/app/support/scratch_folder.h"
 
 namespace burl {
 namespace {
@@ -53,10 +52,10 @@ class Manual : public testing::Test {
             << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_burl\necho \"${COMPREPLY[*]}\" >out\n";
         const std::string command = "cd '" + scratch.path().string() + "' && bash --norc ask.bash";
         EXPECT_EQ(std::system(command.c_str()), 0);
-        return words_of(slurp(scratch / "out"));
+        return words_of(test::slurp(scratch / "out"));
     }
 
-    ScratchFolder scratch;
+    test::Scratch scratch;
 };
 
 TEST_F(Manual, EveryVerbHasAPageWithAllItsOptions) {
