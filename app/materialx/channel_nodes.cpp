@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "app/materialx/convert.h"
 #include "app/materialx/nodes.h"
+#include "app/materialx/values/convert.h"
 
 namespace burl::materialx {
 

@@ -1,8 +1,8 @@
 // Corrections of colours.
 #include <array>
 
-#include "app/materialx/convert.h"
 #include "app/materialx/nodes.h"
+#include "app/materialx/values/convert.h"
 
 namespace burl::materialx {
 

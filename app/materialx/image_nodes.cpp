@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "app/materialx/color_space.h"
-#include "app/materialx/linear_form.h"
 #include "app/materialx/nodes.h"
+#include "app/materialx/values/color_space.h"
+#include "app/materialx/values/linear_form.h"
 
 namespace burl::materialx {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/materialx/convert.h"
+#include "app/materialx/values/convert.h"
 
 namespace burl::materialx {
 

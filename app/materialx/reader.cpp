@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "app/materialx/color_space.h"
-#include "app/materialx/convert.h"
 #include "app/materialx/definitions.h"
 #include "app/materialx/geometry.h"
 #include "app/materialx/nodes.h"
+#include "app/materialx/values/color_space.h"
+#include "app/materialx/values/convert.h"
 
 namespace burl::materialx {
 

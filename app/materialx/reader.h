@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/materialx/document.h"
-#include "app/materialx/value.h"
+#include "app/materialx/values/value.h"
 
 namespace burl::materialx {
 

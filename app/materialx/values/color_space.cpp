@@ -1,4 +1,4 @@
-#include "app/materialx/color_space.h"
+#include "app/materialx/values/color_space.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/materialx/builder.h"
+#include "app/materialx/values/builder.h"
 
 namespace burl::materialx {
 

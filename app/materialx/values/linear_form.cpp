@@ -1,4 +1,4 @@
-#include "app/materialx/linear_form.h"
+#include "app/materialx/values/linear_form.h"
 
 namespace burl::materialx {
 

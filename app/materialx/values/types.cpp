@@ -1,4 +1,4 @@
-#include "app/materialx/types.h"
+#include "app/materialx/values/types.h"
 
 #include <array>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "app/materialx/convert.h"
+#include "app/materialx/values/convert.h"
 
 namespace burl::materialx {
 

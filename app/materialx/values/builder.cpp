@@ -1,4 +1,4 @@
-#include "app/materialx/builder.h"
+#include "app/materialx/values/builder.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/materialx/fold.h"
+#include "app/materialx/values/fold.h"
 
 namespace burl::materialx {
 

@@ -1,4 +1,4 @@
-#include "app/materialx/fold.h"
+#include "app/materialx/values/fold.h"
 
 #include <algorithm>
 #include <array>

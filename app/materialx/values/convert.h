@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "app/materialx/value.h"
+#include "app/materialx/values/value.h"
 
 namespace burl::materialx {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/materialx/builder.h"
-#include "app/materialx/types.h"
+#include "app/materialx/values/builder.h"
+#include "app/materialx/values/types.h"
 
 namespace burl::materialx {
 

@@ -1,4 +1,4 @@
-#include "app/materialx/value.h"
+#include "app/materialx/values/value.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "app/materialx/builder.h"
+#include "app/materialx/values/builder.h"
 
 namespace burl::materialx {
 
