@@ -142,15 +142,16 @@ bool file_exists(const std::filesystem::path& path) {
 std::vector<std::optional<ObjMaterial>> find_looks(const std::string& path, const MaterialUse& use,
                                                    std::vector<std::string>& notes) {
     std::vector<std::optional<ObjMaterial>> looks(use.names.size());
-    if (use.library.empty()) return looks;
+    if (use.library.empty() || use.names.empty()) return looks;
     const auto library = std::filesystem::path(path).parent_path() / use.library;
-    if (!use.names.empty() && !file_exists(library)) {
+    if (!file_exists(library)) {
         notes.push_back(fmt::format("{}: its material file {} is missing; drawn without", path,
                                     printable(use.library)));
         return looks;
     }
+    const FileBuffer file = read_file(library.string());
     for (std::size_t i = 0; i < looks.size(); ++i) {
-        looks[i] = parse_material(read_file(library.string()), use.names[i]);
+        looks[i] = parse_material(file, use.names[i]);
         if (!looks[i])
             notes.push_back(fmt::format("{}: no material {} in {}; drawn without", path,
                                         printable(use.names[i]), printable(use.library)));
