@@ -1,12 +1,9 @@
 // JPEG through libjpeg-turbo, which reports errors by longjmp: what calls it after setjmp holds
 // nothing with a destructor, and callbacks let no exception out.
 #include <array>
-#include <csetjmp>
-#include <cstdio>
 #include <exception>
 
-#include <jpeglib.h>
-
+#include "app/image/jpeg_errors.h"
 #include "app/image/picture_coding.h"
 #include "atlas/base/error.h"
 
@@ -16,13 +13,6 @@ namespace {
 /// Beyond as many pixels, Huffman codes are JPEG's own: made-to-measure ones need all coefficients
 /// in memory, six bytes a pixel.
 constexpr std::uint64_t most_measured = 1u << 26;
-
-/// libjpeg's error handler, and where it jumps.
-struct JpegErrors {
-    ::jpeg_error_mgr manager{};  // the first member, since libjpeg knows its address only
-    std::jmp_buf jump;
-    std::array<char, JMSG_LENGTH_MAX> message{};
-};
 
 /// libjpeg's target of bytes: a buffer that goes to the sink when it is full.
 struct JpegTarget {
@@ -47,12 +37,6 @@ void start_buffer(::j_compress_ptr jpeg) {
     auto* target = reinterpret_cast<JpegTarget*>(jpeg->dest);
     target->manager.next_output_byte = target->buffer.data();
     target->manager.free_in_buffer = target->buffer.size();
-}
-
-void on_jpeg_error(::j_common_ptr jpeg) {
-    auto* errors = reinterpret_cast<JpegErrors*>(jpeg->err);
-    errors->manager.format_message(jpeg, errors->message.data());
-    std::longjmp(errors->jump, 1);
 }
 
 void stop_at_sink(::j_compress_ptr jpeg) {

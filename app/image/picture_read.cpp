@@ -2,16 +2,12 @@
 // nothing with a destructor. WebP through libwebp.
 #include "app/image/picture_read.h"
 
-#include <array>
-#include <csetjmp>
-#include <cstdio>
 #include <string_view>
 
-#include <jerror.h>
-#include <jpeglib.h>
 #include <webp/decode.h>
 
 #include "app/base/file_bytes.h"
+#include "app/image/jpeg_errors.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -24,35 +20,22 @@ constexpr std::uint64_t most_pixels_a_byte = 1024;
 /// No file of 2^28 pixels in a format that is read is longer.
 constexpr std::uint64_t most_picture_bytes = (most_read_pixels * 8) + (1u << 24);
 
-/// libjpeg's error handler, and where it jumps.
-struct ReadErrors {
-    ::jpeg_error_mgr manager{};  // the first member, since libjpeg knows its address only
-    std::jmp_buf jump;
-    std::array<char, JMSG_LENGTH_MAX> message{};
-};
-
-void on_read_error(::j_common_ptr jpeg) {
-    auto* errors = reinterpret_cast<ReadErrors*>(jpeg->err);
-    errors->manager.format_message(jpeg, errors->message.data());
-    std::longjmp(errors->jump, 1);
-}
-
 /// Stops at the warnings after which pixels are made up.
 void on_read_message(::j_common_ptr jpeg, int level) {
     const int code = jpeg->err->msg_code;
     const bool lost = code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER ||
                       code == JWRN_HUFF_BAD_CODE || code == JWRN_MUST_RESYNC;
-    if (level < 0 && lost) on_read_error(jpeg);
+    if (level < 0 && lost) on_jpeg_error(jpeg);
 }
 
 /// The owner of libjpeg's struct.
 struct JpegReader {
     ::jpeg_decompress_struct jpeg{};
-    ReadErrors errors;
+    JpegErrors errors;
 
     JpegReader() {
         jpeg.err = ::jpeg_std_error(&errors.manager);
-        errors.manager.error_exit = on_read_error;
+        errors.manager.error_exit = on_jpeg_error;
         errors.manager.emit_message = on_read_message;
     }
     ~JpegReader() { ::jpeg_destroy_decompress(&jpeg); }
