@@ -231,14 +231,6 @@ enum class VectorOp {
     tangent
 };
 
-template <class T>
-Triple<T> refracted(const Triple<T>& a, const Triple<T>& normal, const T& ior) {
-    const Triple<T> n = unit(normal);
-    const T toward = dot(n, a), k = T(1.0) - ior * ior * (T(1.0) - toward * toward);
-    if (value_of(k) < 0.0) return {};
-    return times(ior, a) - times(ior * toward + root(k), n);
-}
-
 /// The operation that Math has, too, on each coordinate; `add` where there is none.
 constexpr MathOp by_coordinate(VectorOp op) {
     switch (op) {
@@ -292,7 +284,7 @@ Triple<T> vector_math(VectorOp op, const Triple<T>& a, const Triple<T>& b, const
         case VectorOp::reflect:
             return a - times(T(2.0) * dot(unit(b), a), unit(b));
         case VectorOp::refract:
-            return refracted(a, b, scale);
+            return refracted(a, unit(b), scale);
         case VectorOp::faceforward:
             return value_of(dot(c, b)) < 0.0 ? a : times(T(-1.0), a);
         case VectorOp::dot_product:

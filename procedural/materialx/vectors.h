@@ -32,15 +32,6 @@ Triple<T> turned(const Triple<T>& a, const Triple<T>& axis, const T& degrees) {
     return times(c, a) + times(s, cross(a, k)) + times((T(1.0) - c) * dot(k, a), k);
 }
 
-/// The direction a refracted at a surface whose normal is used as it is given; 0 where all light
-/// is reflected.
-template <class T>
-Triple<T> refracted(const Triple<T>& a, const Triple<T>& n, const T& ior) {
-    const T toward = dot(n, a), k = T(1.0) - ior * ior * (T(1.0) - toward * toward);
-    if (value_of(k) < 0.0) return {};
-    return times(ior, a) - times(ior * toward + root(k), n);
-}
-
 /// MaterialX's node of that category: a is its first input, b its second; of `rotate3d` b is the
 /// axis and c.x the angle in degrees, of `refract` b the normal and c.x the index, of `luminance` b
 /// the weights.

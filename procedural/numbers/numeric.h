@@ -164,6 +164,15 @@ template <class T>
 Triple<T> cross(const Triple<T>& a, const Triple<T>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+
+/// The direction a refracted at a surface with the normal n, which is used as it is given; 0 where
+/// all light is reflected.
+template <class T>
+Triple<T> refracted(const Triple<T>& a, const Triple<T>& n, const T& ior) {
+    const T toward = dot(n, a), k = T(1.0) - ior * ior * (T(1.0) - toward * toward);
+    if (value_of(k) < 0.0) return {};
+    return times(ior, a) - times(ior * toward + root(k), n);
+}
 /// The triple function(a.x, b.x), function(a.y, b.y), ...
 template <class T, class Function>
 Triple<T> each(const Triple<T>& a, const Triple<T>& b, const Function& function) {
