@@ -196,7 +196,7 @@ class GlEditRandomTest : public GlTest {
         }
         expect_sound();
         expect_undo_leads_home();
-        EXPECT_GT(edits, count / 200) << restarts;
+        EXPECT_GT(edits, count / 500) << restarts;
         rested();
         editor.reset();
     }
