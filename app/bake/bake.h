@@ -23,6 +23,9 @@ struct BakePlan {
     /// The recipe of the path of that number; all have one atlas and one solid space. It is asked
     /// for when its frame is due, so that a long animation need not be in memory at once.
     std::function<Recipe(std::size_t)> recipe{};
+    /// The recipes of the pipeline's labels, where several share the atlas of a document that is
+    /// kept; the first is that of `recipe`. Empty: there is one.
+    std::vector<Recipe> sharing{};
     /// Is told, before the work, of an atlas that is too small or not of the kind asked for; empty:
     /// nobody is.
     std::function<void(const std::string&)> tell{};
