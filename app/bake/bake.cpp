@@ -189,6 +189,7 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     if (releases) pipeline.release_texels();
     const auto writing = Clock::now();
     ExportOptions options = export_options(pipeline, plan, pose);
+    if (plan.strips) options.strips = &result.strips;
     options.levels = std::move(texture.levels);
     options.normals = std::move(normals);
     options.material = material_factors(pipeline.recipe(), asked.rough_levels());

@@ -88,6 +88,7 @@ BakePlan plan_of(const BakeCommand& command,
     plan.compress = command.compress;
     plan.channels = command.channels;
     plan.vertex_colors = command.vertex_colors;
+    plan.strips = command.strips;
     plan.solid_map = command.solid_map;
     plan.shader = command.emitted_glsl;
     plan.threads = command.threads;
@@ -184,6 +185,7 @@ void BakeJob::check() const {
                     "none to leave the bumps out");
     check_displacement();
     check_coding();
+    check_strips();
     check_uvs(command_, recipe(), plan_, kept_document());
     if (command_.vertex_colors) check_vertex_colors(command_.out, command_.recipe);
     if (!command_.pose.empty() && command_.meshes.read.choice.any())
@@ -313,8 +315,10 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     }
     pipeline.set_labels(kept ? kept->labels : std::vector<std::uint32_t>());
     const MeshPose* const posed = pose ? &*pose : nullptr;
-    return plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
-                              : bake(pipeline, plan, posed, later);
+    BakeResult result = plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
+                                           : bake(pipeline, plan, posed, later);
+    warn_of_strips(result.strips);
+    return result;
 }
 
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
@@ -352,7 +356,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
     if (plan_.vertex_colors)
-        return vertex_colors_json(command_.mesh, outputs(plan_.paths, 0), recipe, pipeline,
+        return vertex_colors_json(command_.mesh, outputs(plan_.paths, 0), recipe, pipeline, result,
                                   std::move(seconds));
     Json report = bake_json(command_.mesh, outputs(result.paths, result.levels.count), recipe,
                             pipeline, result, std::move(seconds));

@@ -86,7 +86,9 @@ class BakeJob {
     std::string not_of(const Recipe& recipe) const;
     void check_displacement() const;
     void check_coding() const;
+    void check_strips() const;
     void warn_of_depth() const;
+    void warn_of_strips(const StripCounts& counts) const;
     void check_idle() const;
     Json what_it_is_made_from(const Json& settings) const;
     bool has_normals() const { return plan_.normals != NormalSpace::none; }

@@ -23,6 +23,15 @@ void BakeJob::check_files(const std::vector<std::string>& paths) const {
     files.write(record_path(command_.out));
 }
 
+/// Throws Error(usage) where the output holds no strips.
+void BakeJob::check_strips() const {
+    if (command_.strips && !holds_strips(command_.out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --strips: only .glb, .gltf and .ply hold triangle strips; "
+                                "write one of these, or leave it out",
+                                command_.out));
+}
+
 /// Throws Error(usage) where the pictures cannot have what else is asked for.
 void BakeJob::check_coding() const {
     const TextureFormat format = plan_.coding.format;
@@ -74,6 +83,13 @@ void BakeJob::warn_of_depth() const {
                     "them too light, since OpenGL has no 16-bit sRGB; leave --depth 16 out unless "
                     "the file goes elsewhere",
                     command_.out));
+}
+
+/// Warns of triangles that strips cannot hold.
+void BakeJob::warn_of_strips(const StripCounts& counts) const {
+    if (counts.left_out > 0)
+        warn(fmt::format("{}: strips hold no triangle with a repeated corner; {} left out",
+                         command_.out, counts.left_out));
 }
 
 /// Throws Error(usage) where --displace cannot be had with what else is asked for.

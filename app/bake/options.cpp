@@ -120,6 +120,9 @@ void add_pictures(CLI::App& verb, BakeCommand& command) {
     verb.add_flag("--vertex-colors", command.vertex_colors,
                   "Colours of the mesh's points, worked out exactly, in place of a texture and its "
                   "coordinates");
+    verb.add_flag("--strips", command.strips,
+                  "Write the mesh of a .glb, .gltf or .ply as triangle strips, which take fewer "
+                  "indices than its triangles");
     verb.add_option("--normal-y", command.normal_y,
                     "Where the green of a normal map points: + (up, glTF, Godot, Unity) or - "
                     "(down, Unreal)")

@@ -40,6 +40,7 @@ struct BakeCommand {
     bool gl_equalize = false;
     std::optional<double> compress;
     bool vertex_colors = false;   ///< colours per point in place of the texture
+    bool strips = false;          ///< triangle strips in place of triangles
     std::optional<int> displace;  ///< how often triangles are split before displacement
     /// Recipes for materials of a glTF, GLOB=RECIPE, the first that matches counts.
     std::vector<std::string> assigned;

@@ -66,6 +66,7 @@ BakeResult bake_vertex_colors(Pipeline& pipeline, const BakePlan& plan, const Me
     };
     if (pose) options.pose = ExportPose{*pose, recipe.pose.weight};
     options.vertex_colors = vertex_colors(recipe, mesh);
+    if (plan.strips) options.strips = &result.strips;
     const auto writing = std::chrono::steady_clock::now();
     std::vector<AtomicFile> files = scene_files(plan.paths.front(), mesh, {}, {}, options);
     result.committed = commit_together(files);

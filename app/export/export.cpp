@@ -244,6 +244,10 @@ bool is_gltf(const std::string& out_path) {
     return format == Format::glb || format == Format::gltf;
 }
 
+bool holds_strips(const std::string& out_path) {
+    return is_gltf(out_path) || format_of(out_path) == Format::ply;
+}
+
 bool holds_colors(const std::string& out_path) {
     return holds_mesh(out_path) && format_of(out_path) != Format::stl;
 }

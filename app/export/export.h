@@ -15,6 +15,7 @@
 #include "app/recipe/material.h"
 #include "app/recipe/recipe.h"
 #include "atlas/mesh/mesh.h"
+#include "atlas/mesh/triangle_strips.h"
 #include "atlas/read/obj_source.h"
 #include "atlas/read/pose.h"
 #include "atlas/solid/atlas.h"
@@ -95,6 +96,9 @@ struct ExportOptions {
     /// Per point of the mesh a colour in linear light, which the scene has in place of textures and
     /// texture coordinates; the atlas and the image are empty then. Or empty.
     std::vector<Vec4f> vertex_colors{};
+    /// The counts that triangle strips are added to, which .glb, .gltf and .ply have in place of
+    /// lists of triangles; null: lists.
+    StripCounts* strips = nullptr;
     /// Is told what the format cannot hold or had to be changed; empty: nobody is.
     std::function<void(const std::string&)> tell{};
 };
@@ -126,6 +130,10 @@ std::string normal_map_path(const std::string& out_path, TextureFormat format = 
 
 /// All files that scene_files writes of a scene with vertex colours.
 std::vector<std::string> paths_without_texture(const std::string& out_path);
+
+/// Whether the format holds triangle strips: .glb, .gltf and .ply. Throws Error(usage) for an
+/// unknown extension.
+bool holds_strips(const std::string& out_path);
 
 /// Whether the format is .glb or .gltf, whose materials take normal maps in tangent space only.
 /// Throws Error(usage) for an unknown extension.

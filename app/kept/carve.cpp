@@ -20,7 +20,7 @@
 namespace burl {
 namespace {
 
-constexpr int triangles_mode = 4;
+constexpr int triangles_mode = 4, strip_mode = 5;
 constexpr const char* draco = "KHR_draco_mesh_compression";
 constexpr const char* block_attribute = "_BURL_BLOCK";
 
@@ -181,10 +181,17 @@ void Carver::index(VertexGroup& group) {
     }
 }
 
-/// Writes the indices of the group's run `number` unless they are those of the file.
+/// Writes the indices of the group's run `number` unless they are those of the file; as strips
+/// where they are asked for.
 void Carver::write_indices(const VertexGroup& group, std::size_t number, Json& target) {
     const GltfRun& run = *group.runs[number];
     const std::vector<std::uint32_t>& indices = group.indices[number];
+    if (StripCounts* const strips = carved_.content.options.strips) {
+        target["indices"] =
+            document_.add_indices(strip_indices(indices, *strips), group.vertices.all().size());
+        target["mode"] = strip_mode;
+        return;
+    }
     bool same = indices.size() == 3 * run.triangle_count;
     for (std::size_t i = 0; i < indices.size() && same; ++i) {
         const std::size_t k = i % 3, turned = group.part->mirrored && k > 0 ? 3 - k : k;
