@@ -41,6 +41,17 @@ std::vector<PicturePlan> plans_of(const Recipe& recipe,
     return plans;
 }
 
+/// The pictures, the base colour first. Throws Error(runtime) where the pipeline is to stop, which
+/// leaves none.
+template <class Pixel>
+std::vector<Image<Pixel>> synthesized(Pipeline& pipeline,
+                                      const std::vector<MaterialPicture>& wanted) {
+    std::vector<Image<Pixel>> images =
+        pipeline.pictures<Pixel>(plans_of(pipeline.recipe(), wanted));
+    if (images.empty()) throw Error(ExitCode::runtime, "the bake was stopped before it was done");
+    return images;
+}
+
 /// Paints over an opaque colour.
 void paint(Pipeline& pipeline, Image<RgbaF>& color) {
     auto opaque = converted<RgbF>(color, [](const RgbaF& p) { return RgbF{p.r, p.g, p.b}; });
@@ -51,7 +62,7 @@ void paint(Pipeline& pipeline, Image<RgbaF>& color) {
 template <class Code>
 BakedMaterial bake(Pipeline& pipeline, const std::vector<MaterialPicture>& wanted) {
     const Recipe& recipe = pipeline.recipe();
-    std::vector<Image<Rgba<Code>>> images = pipeline.pictures<Rgba<Code>>(plans_of(recipe, wanted));
+    std::vector<Image<Rgba<Code>>> images = synthesized<Rgba<Code>>(pipeline, wanted);
     BakedMaterial material;
     if (is_transparent(recipe)) {
         material.color = std::move(images[0]);
@@ -116,7 +127,7 @@ struct FloatMaterial {
 FloatMaterial float_material(Pipeline& pipeline, const MaterialAsked& asked,
                              const std::vector<MaterialPicture>& wanted) {
     const Recipe& recipe = pipeline.recipe();
-    std::vector<Image<RgbaF>> images = pipeline.pictures<RgbaF>(plans_of(recipe, wanted));
+    std::vector<Image<RgbaF>> images = synthesized<RgbaF>(pipeline, wanted);
     if (has_color_paint(recipe.paint)) paint(pipeline, images[0]);
     const bool mask = is_transparent(recipe) && recipe.material.alpha == AlphaMode::mask;
     FloatMaterial material;
