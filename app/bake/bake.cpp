@@ -42,19 +42,6 @@ void tell_shortage(const BakePlan& plan, const Mesh& mesh, const AtlasOptions& a
         tell(plan, mesh, shortage(capacity(mesh.triangles.size(), atlas)));
 }
 
-/// Tells what texture coordinates cannot show.
-void tell_uv_losses(const BakePlan& plan, const Mesh& mesh, const LayoutNotes& notes) {
-    if (notes.overlapped_texels > 0)
-        tell(plan, mesh,
-             fmt::format("{} triangles share {} texels, which show the first of them",
-                         notes.overlapping_triangles, notes.overlapped_texels));
-    if (notes.flat_triangles > 0)
-        tell(plan, mesh,
-             fmt::format("{} of {} triangles have no texture coordinates, or no area in them, and "
-                         "show what is at their corners",
-                         notes.flat_triangles, mesh.triangles.size()));
-}
-
 /// Tells what comes next, at a share of the frame `number`. Throws Error where the bake is to stop.
 void go_on(const BakePlan& plan, std::size_t number, const char* next, double share) {
     if (plan.stop.stop_requested())
@@ -259,6 +246,19 @@ void commit(std::vector<AtomicFile>& files, BakeResult& result) {
 
 }  // namespace
 
+std::vector<std::string> uv_losses(const Mesh& mesh, const LayoutNotes& notes) {
+    std::vector<std::string> losses;
+    if (notes.overlapped_texels > 0)
+        losses.push_back(fmt::format("{} triangles share {} texels, which show the first of them",
+                                     notes.overlapping_triangles, notes.overlapped_texels));
+    if (notes.flat_triangles > 0)
+        losses.push_back(
+            fmt::format("{} of {} triangles have no texture coordinates, or no area in them, and "
+                        "show what is at their corners",
+                        notes.flat_triangles, mesh.triangles.size()));
+    return losses;
+}
+
 BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, LaterBake later) {
     BakeResult result;
     result.levels.rule = plan.levels.rule;
@@ -278,7 +278,7 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     go_on(plan, 0, "finding the solid's points", 0.25);
     const MeshAtlas& atlas = *made;
     tell(plan, mesh, atlas.atlas().notes.fallback);
-    tell_uv_losses(plan, mesh, atlas.atlas().notes);
+    for (const std::string& loss : uv_losses(mesh, atlas.atlas().notes)) tell(plan, mesh, loss);
     tell_shortage(plan, mesh, recipe.atlas, &atlas);
     if (later == LaterBake::none) stages.connectivity.release_neighbours();
     const SolidAtlas& points = pipeline.solid();

@@ -82,6 +82,9 @@ struct BakeResult {
     double writing = 0.0;             ///< seconds spent on files rather than on stages
 };
 
+/// Sentences on what texture coordinates cannot show.
+std::vector<std::string> uv_losses(const Mesh& mesh, const LayoutNotes& notes);
+
 /// Bakes the pipeline's mesh and writes the plan's files; if `pose` is not null, the mesh is
 /// exported in that pose. All files of a frame are committed together or not at all. Memory that a
 /// `later` bake does not reuse is freed early. Throws Error, also where a frame's lattice is too

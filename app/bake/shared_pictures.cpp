@@ -40,13 +40,15 @@ void paint(Pipeline& pipeline, Image<Rgba<Code>>& color) {
     });
 }
 
-/// Level 0 of the pictures of the pipeline's recipe, the base colour first.
+/// Level 0 of the pictures of the pipeline's recipe, the base colour first. Throws Error(runtime)
+/// where the pipeline is to stop, which leaves none.
 template <class Pixel>
 std::vector<Image<Pixel>> own_pictures(Pipeline& pipeline,
                                        const std::vector<MaterialPicture>& pictures) {
     std::vector<PicturePlan> plans{base_color_plan(pipeline.recipe())};
     for (const MaterialPicture& one : pictures) plans.push_back(one.plan);
     std::vector<Image<Pixel>> images = pipeline.pictures<Pixel>(plans);
+    if (images.empty()) throw Error(ExitCode::runtime, "the bake was stopped before it was done");
     paint(pipeline, images[0]);
     return images;
 }
