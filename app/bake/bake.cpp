@@ -72,6 +72,20 @@ int threads_of(const BakePlan& plan) {
     return plan.threads > 0 ? std::min(plan.threads, int(most)) : tbb::task_arena::automatic;
 }
 
+/// The recipe of a shared atlas as its document's material needs it.
+ExportShare export_share(const Recipe& recipe, const BakePlan& plan, const MaterialAsked& asked,
+                         const std::vector<ExportPicture>& pictures) {
+    ExportShare share{recipe.name, to_json(recipe), material_factors(recipe, asked.rough_levels()),
+                      is_transparent(recipe),
+                      plan.normals != NormalSpace::none && !recipe.bump.empty()};
+    share.slots.resize(pictures.size());
+    for (MaterialPicture& one : material_pictures(recipe, plan.packing, asked.rough_levels())) {
+        const auto at = std::ranges::find(pictures, one.name, &ExportPicture::name);
+        share.slots[std::size_t(at - pictures.begin())] = std::move(one.slots);
+    }
+    return share;
+}
+
 ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose) {
     ExportOptions options;
     options.crease_degrees = plan.crease_degrees;
@@ -88,7 +102,7 @@ ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const Mes
 
 std::optional<NormalMap> bake_normals(Pipeline& pipeline, const BakePlan& plan,
                                       const BakedMaterial& material) {
-    auto map = bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees);
+    auto map = bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees, plan.sharing);
     if (map) add_levels(*map, material.normal_levels);
     if (map && plan.normals_down) turn_green(*map);
     return map;
@@ -143,14 +157,15 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     const std::string& path = plan.paths[number];
     const ImageKind kind = plan.kind;
     MaterialAsked asked = plan.material();
-    const bool pictures = has_pictures(pipeline.recipe(), plan.packing, asked.rough_levels());
+    const bool pictures = !plan.sharing.empty() ||
+                          has_pictures(pipeline.recipe(), plan.packing, asked.rough_levels());
     if (pictures) asked.levels = levels_there_are(pipeline, plan.levels, kind).count;
     if (kind == ImageKind::rgb_float && pictures)
         return files_of_material(pipeline, plan, path, asked, result);
     if (kind == ImageKind::rgb_float && !plan.compress && comes_in_bands(pipeline, plan.levels))
         return files_in_bands(pipeline, plan, path, result);
     BakedMaterial material;
-    if (pictures) material = bake_material(pipeline, asked);
+    if (pictures) material = bake_material(pipeline, asked, plan.sharing);
     BakedTexture texture =
         pictures ? BakedTexture{std::move(material.color), std::move(material.color_levels)}
                  : bake_texture(pipeline, kind, plan.levels);
@@ -161,10 +176,15 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     if (releases) pipeline.release_texels();
     const auto writing = Clock::now();
     ExportOptions options = export_options(pipeline, plan, pose);
+    if (plan.strips) options.strips = &result.strips;
     options.levels = std::move(texture.levels);
     options.normals = std::move(normals);
     options.material = material_factors(pipeline.recipe(), asked.rough_levels());
     options.pictures = std::move(material.pictures);
+    for (const Recipe& recipe : plan.sharing) {
+        if (&recipe != &plan.sharing.front()) options.recipe_name += '+' + recipe.name;
+        options.shares.push_back(export_share(recipe, plan, asked, options.pictures));
+    }
     cut_to_extent(pipeline.atlas().options, result.texture.image, options);
     options.coding = plan.coding;
     options.exr_depth = plan.exr_depth;
@@ -253,7 +273,7 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     context.stop = plan.stop;
     tell_shortage(plan, mesh, recipe.atlas, nullptr);
     go_on(plan, 0, "laying out the atlas", 0.0);
-    const Connectivity& edges = stages.connectivity.run(context, mesh);
+    const Connectivity& edges = pipeline.connectivity();
     const MeshAtlas* made = stages.layout.run(context, mesh, edges, recipe.atlas, plan.stop);
     go_on(plan, 0, "finding the solid's points", 0.25);
     const MeshAtlas& atlas = *made;
@@ -261,7 +281,7 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     for (const std::string& loss : uv_losses(mesh, atlas.atlas().notes)) tell(plan, mesh, loss);
     tell_shortage(plan, mesh, recipe.atlas, &atlas);
     if (later == LaterBake::none) stages.connectivity.release_neighbours();
-    const SolidAtlas& points = stages.solid.run(context, mesh, atlas, recipe.solid.space);
+    const SolidAtlas& points = pipeline.solid();
     if (plan.measures) result.metrics = measure(atlas.mesh(mesh), atlas.atlas(), points);
     if (mesh.triangles.size() > many_triangles) return_freed_memory();
 

@@ -23,6 +23,9 @@ struct BakePlan {
     /// The recipe of the path of that number; all have one atlas and one solid space. It is asked
     /// for when its frame is due, so that a long animation need not be in memory at once.
     std::function<Recipe(std::size_t)> recipe{};
+    /// The recipes of the pipeline's labels, where several share the atlas of a document that is
+    /// kept; the first is that of `recipe`. Empty: there is one.
+    std::vector<Recipe> sharing{};
     /// Is told, before the work, of an atlas that is too small or not of the kind asked for; empty:
     /// nobody is.
     std::function<void(const std::string&)> tell{};
@@ -48,6 +51,7 @@ struct BakePlan {
     int threads = 0;       ///< number of threads for the files; 0: all
     std::shared_ptr<const KeptObj> obj{};  ///< the mesh's own OBJ, of which an .obj keeps the rest
     bool vertex_colors = false;            ///< whether colours per point replace the texture
+    bool strips = false;                   ///< whether the scene has triangle strips
     /// Is told what comes next, and which share of the bake is done, 0 to 1; empty: nobody is.
     std::function<void(const char* next, double share)> reached{};
     /// A request by another thread to stop: bake() then throws Error(runtime) soon. Files of frames
@@ -73,6 +77,7 @@ struct BakeResult {
     std::optional<NormalMap> normals{};
     BakedAtlas texture{};  ///< texture; empty if it was written in bands (comes_in_bands)
     std::optional<Vec3d> solid_base;  ///< solid map's base (app/export/emit.h)
+    StripCounts strips{};             ///< of scenes with triangle strips
     std::vector<std::string> lost{};  ///< what of the mesh's document the output does not hold
     double writing = 0.0;             ///< seconds spent on files rather than on stages
 };

@@ -50,15 +50,6 @@ Kernel kernel_named(const std::string& name) {
     return found == kernel_names.end() ? Kernel::automatic : found->kernel;
 }
 
-/// The recipes of all frames, for the reference kernel if the command asks for it.
-std::shared_ptr<const std::vector<Recipe>> recipes_of(const BakeCommand& command) {
-    std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
-    command.recipe_losses();
-    if (command.kernel == reference_kernel)
-        std::for_each(recipes.begin(), recipes.end(), apply_reference);
-    return std::make_shared<const std::vector<Recipe>>(std::move(recipes));
-}
-
 /// The files of the mesh, the pose and the recipe.
 std::vector<std::string> files_read(const BakeCommand& command, const Recipe& recipe) {
     std::vector<std::string> files = files_of_mesh(command.mesh);
@@ -68,9 +59,11 @@ std::vector<std::string> files_read(const BakeCommand& command, const Recipe& re
     return files;
 }
 
-/// The plan of the command. Throws Error if an option is wrong or the recipe cannot be read.
+/// The plan of the command; `sharing` are the recipes that share the atlas, if several do. Throws
+/// Error if an option is wrong.
 BakePlan plan_of(const BakeCommand& command,
-                 const std::shared_ptr<const std::vector<Recipe>>& recipes) {
+                 const std::shared_ptr<const std::vector<Recipe>>& recipes,
+                 const std::vector<Recipe>& sharing) {
     BakePlan plan;
     plan.kind = wanted_kind(command.out, command.bits());
     plan.paths = frame_paths(command.out, command.animation);
@@ -87,12 +80,15 @@ BakePlan plan_of(const BakeCommand& command,
     const std::string& normals =
         (plan.displaces || command.vertex_colors) && command.normals.empty() ? "none"
                                                                              : command.normals;
-    plan.normals = normals_asked(normals, first, command.out);
+    const auto bumpy =
+        std::ranges::find_if(sharing, [](const Recipe& recipe) { return !recipe.bump.empty(); });
+    plan.normals = normals_asked(normals, bumpy == sharing.end() ? first : *bumpy, command.out);
     plan.normals_down = command.normal_y == "-";
     plan.packing = packing_asked(command.packing, command.out);
     plan.compress = command.compress;
     plan.channels = command.channels;
     plan.vertex_colors = command.vertex_colors;
+    plan.strips = command.strips;
     plan.solid_map = command.solid_map;
     plan.shader = command.emitted_glsl;
     plan.threads = command.threads;
@@ -119,17 +115,29 @@ MultipassOptions multipass_options(const BakeCommand& command) {
 
 }  // namespace
 
+std::shared_ptr<const std::vector<Recipe>> frames_of(const BakeCommand& command) {
+    std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
+    command.recipe_losses();
+    if (command.kernel == reference_kernel) std::ranges::for_each(recipes, apply_reference);
+    return std::make_shared<const std::vector<Recipe>>(std::move(recipes));
+}
+
 BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
     : BakeJob(groups_of(command), settings) {}
 
 BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
     : command_(groups.front().command),
       pictures_(groups.front().pictures),
-      recipes_(recipes_of(command_)),
-      plan_(plan_of(command_, recipes_)),
+      shares_(groups.front().shares),
+      recipes_(frames_of(command_)),
+      sharing_(load_shares()),
+      plan_(plan_of(command_, recipes_, sharing_)),
       inputs_(files_read(command_, recipe())) {
     if (recipe().atlas.kind == AtlasKind::uv)
         command_.meshes.read.uv_set = command_.uv_set.value_or(0);
+    for (std::size_t i = 1; i < shares_.size(); ++i)
+        std::ranges::move(files_of_recipe(shares_[i].recipe.recipe, sharing_[i]),
+                          std::back_inserter(inputs_));
     for (std::size_t g = 1; g < groups.size(); ++g) {
         others_.push_back(BakeJob({groups[g]}, settings));
         std::ranges::copy(others_.back().inputs_, std::back_inserter(inputs_));
@@ -177,6 +185,7 @@ void BakeJob::check() const {
                     "none to leave the bumps out");
     check_displacement();
     check_coding();
+    check_strips();
     check_uvs(command_, recipe(), plan_, kept_document());
     if (command_.vertex_colors) check_vertex_colors(command_.out, command_.recipe);
     if (!command_.pose.empty() && command_.meshes.read.choice.any())
@@ -185,17 +194,8 @@ void BakeJob::check() const {
             "--pose moves the whole mesh, and a choice of its parts some of it; leave one of "
             "the two out");
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
+    check_shares();
     check_idle();
-}
-
-/// The option that works for a texture alone, not for the pictures of a material; empty: none.
-std::string BakeJob::not_of(const Recipe& recipe) const {
-    if (plan_.levels.rule.direct) return "--level-rule direct";
-    if (command_.compress) return "--compress";
-    if (command_.synth != "host") return "--synth " + command_.synth;
-    if (recipe.precision.kind == PrecisionKind::fixed) return "--precision fixed";
-    const bool any = command_.kernel == "auto" || command_.kernel == reference_kernel;
-    return any ? "" : "--kernel " + command_.kernel;
 }
 
 /// Throws Error(usage) if an option would have no effect.
@@ -217,7 +217,7 @@ void BakeJob::check_idle() const {
         refuse("--normal-y -", "the green of MaterialX's normals points up");
     if (!command_.packing.empty() && plan_.kind == ImageKind::rgb_float)
         refuse("--pack", "an .exr has a layer per channel");
-    if (!command_.packing.empty() && picture_names(recipe(), plan_.material()).empty())
+    if (!command_.packing.empty() && picture_names(recipes_of_atlas(), plan_.material()).empty())
         refuse("--pack", "nothing but the recipe's colour varies");
     if (command_.crease && !mesh && !normals) refuse("--crease", "a texture alone has no normals");
     const auto why_no_kernel = [kernel = kernel_named(command_.kernel)](const Recipe& recipe) {
@@ -261,11 +261,16 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
         std::ranges::move(files_of_mesh(command_.pose, MeshFiles::read), std::back_inserter(files));
     std::ranges::move(images_of_recipe(command_.recipe.recipe, recipe()),
                       std::back_inserter(files));
+    for (std::size_t i = 1; i < shares_.size(); ++i)
+        std::ranges::move(images_of_recipe(shares_[i].recipe.recipe, sharing_[i]),
+                          std::back_inserter(files));
     Json made_from = {{"burl", burl_version()},
                       {"inputs", content_of(files, command_.recipe.images->digests())},
                       {"recipe", Json::parse(to_json(recipe()))},
                       {"options", settings}};
     if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
+    for (const Recipe& recipe : sharing_)
+        made_from["recipes"].push_back(Json::parse(to_json(recipe)));
     for (const BakeJob& other : others_) {
         made_from["recipes"].push_back(other.made_from_["recipe"]);
         for (const Json& input : other.made_from_["inputs"]) made_from["inputs"].push_back(input);
@@ -302,12 +307,18 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     }
     plan.kept = kept;
     if (pose) plan.pose_keys = pose_keys();
-    if (kept)
+    if (kept) {
         prepare(*kept, command_.mesh, command_.meshes.read, pictures_,
                 frame_transform(command_.meshes.frame));
+        kept->labels = labels_of(kept->origins);
+        plan.sharing = shared_recipes(pipeline.mesh());
+    }
+    pipeline.set_labels(kept ? kept->labels : std::vector<std::uint32_t>());
     const MeshPose* const posed = pose ? &*pose : nullptr;
-    return plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
-                              : bake(pipeline, plan, posed, later);
+    BakeResult result = plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
+                                           : bake(pipeline, plan, posed, later);
+    warn_of_strips(result.strips);
+    return result;
 }
 
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
@@ -332,7 +343,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     Json report =
         report_of(pipeline, pipeline.recipe(), result, synthesizer.get(), std::move(seconds));
     if (!others.empty()) report["others"] = std::move(others);
-    std::vector<std::string> lost = command_.recipe_losses();
+    std::vector<std::string> lost = recipe_losses();
     std::ranges::copy(result.lost, std::back_inserter(lost));
     if (!lost.empty()) report["lost"] = lost;
     if (!result.lost.empty())
@@ -345,7 +356,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
     if (plan_.vertex_colors)
-        return vertex_colors_json(command_.mesh, outputs(plan_.paths, 0), recipe, pipeline,
+        return vertex_colors_json(command_.mesh, outputs(plan_.paths, 0), recipe, pipeline, result,
                                   std::move(seconds));
     Json report = bake_json(command_.mesh, outputs(result.paths, result.levels.count), recipe,
                             pipeline, result, std::move(seconds));
@@ -355,6 +366,7 @@ Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResu
         coverage = coverage.get<double>() / double(result.paths.size());
         report["udim_paths"] = result.paths;
     }
+    for (const Recipe& one : sharing_) report["recipes"].push_back(Json::parse(to_json(one)));
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)
         report["solid_map"] = {{"file", command_.solid_map}, {"base", {base->x, base->y, base->z}}};

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/bake/shared_pictures.h"
 #include "app/bake/up_to_date.h"
 #include "app/base/messages.h"
 #include "app/export/command_files.h"
@@ -20,6 +21,15 @@ void BakeJob::check_files(const std::vector<std::string>& paths) const {
         files.write(path, path == command_.solid_map ? ".exr" : "");
     if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
     files.write(record_path(command_.out));
+}
+
+/// Throws Error(usage) where the output holds no strips.
+void BakeJob::check_strips() const {
+    if (command_.strips && !holds_strips(command_.out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --strips: only .glb, .gltf and .ply hold triangle strips; "
+                                "write one of these, or leave it out",
+                                command_.out));
 }
 
 /// Throws Error(usage) where the pictures cannot have what else is asked for.
@@ -48,11 +58,21 @@ void BakeJob::check_coding() const {
         refuse(fmt::format("--size {}", recipe().atlas.size),
                fmt::format("it has at most {} pixels a side", most_pixels(format)));
     if (format != TextureFormat::jpeg || plan_.kind == ImageKind::rgb_float) return;
-    if (is_transparent(recipe())) refuse("opacity", "it has no alpha");
-    for (const MaterialPicture& picture :
-         material_pictures(recipe(), plan_.packing, plan_.material().rough_levels()))
+    if (any_transparent(recipes_of_atlas())) refuse("opacity", "it has no alpha");
+    for (const MaterialPicture& picture : shared_material_pictures(
+             recipes_of_atlas(), plan_.packing, plan_.material().rough_levels()))
         if (picture.components == 4)
             refuse(fmt::format("the picture {}", picture.name), "it has no alpha");
+}
+
+/// The option that works for a texture alone, not for the pictures of a material; empty: none.
+std::string BakeJob::not_of(const Recipe& recipe) const {
+    if (plan_.levels.rule.direct) return "--level-rule direct";
+    if (command_.compress) return "--compress";
+    if (command_.synth != "host") return "--synth " + command_.synth;
+    if (recipe.precision.kind == PrecisionKind::fixed) return "--precision fixed";
+    const bool any = command_.kernel == "auto" || command_.kernel == reference_kernel;
+    return any ? "" : "--kernel " + command_.kernel;
 }
 
 /// Warns of 16 bits in a glTF.
@@ -63,6 +83,13 @@ void BakeJob::warn_of_depth() const {
                     "them too light, since OpenGL has no 16-bit sRGB; leave --depth 16 out unless "
                     "the file goes elsewhere",
                     command_.out));
+}
+
+/// Warns of triangles that strips cannot hold.
+void BakeJob::warn_of_strips(const StripCounts& counts) const {
+    if (counts.left_out > 0)
+        warn(fmt::format("{}: strips hold no triangle with a repeated corner; {} left out",
+                         command_.out, counts.left_out));
 }
 
 /// Throws Error(usage) where --displace cannot be had with what else is asked for.

@@ -120,6 +120,9 @@ void add_pictures(CLI::App& verb, BakeCommand& command) {
     verb.add_flag("--vertex-colors", command.vertex_colors,
                   "Colours of the mesh's points, worked out exactly, in place of a texture and its "
                   "coordinates");
+    verb.add_flag("--strips", command.strips,
+                  "Write the mesh of a .glb, .gltf or .ply as triangle strips, which take fewer "
+                  "indices than its triangles");
     verb.add_option("--normal-y", command.normal_y,
                     "Where the green of a normal map points: + (up, glTF, Godot, Unity) or - "
                     "(down, Unreal)")
@@ -151,10 +154,11 @@ void add_document(CLI::App& verb, BakeCommand& command) {
             const bool whole = at != std::string::npos && at > 0 && at + 1 < text.size();
             return whole ? "" : fmt::format("\"{}\" is not GLOB=RECIPE", text);
         });
-    verb.add_option("--atlas-per", command.atlas_per,
-                    "What of a glTF shares an atlas and its textures: all that has one recipe in "
-                    "the scene, each mesh, or each material")
-        ->check(one_of({"scene", "mesh", "material"}))
+    verb.add_option(
+            "--atlas-per", command.atlas_per,
+            "What of a glTF shares an atlas and its textures: the whole scene, all that has "
+            "one recipe, each mesh, or each material")
+        ->check(one_of({"scene", "recipe", "mesh", "material"}))
         ->capture_default_str();
     verb.add_option("--uv-set", command.uv_set,
                     "Set of a glTF's texture coordinates that gets the atlas's, the old ones from "

@@ -1,5 +1,7 @@
 #include "app/bake/report.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -39,6 +41,17 @@ void print_compressed(const Json& compressed) {
         compressed["largest_error"].get<double>());
 }
 
+/// The counts of triangle strips.
+Json strips_json(const StripCounts& counts) {
+    const double triangles = double(std::max<std::uint64_t>(counts.triangles, 1));
+    return {{"strips", counts.strips},
+            {"triangles", counts.triangles},
+            {"triangles_left_out", counts.left_out},
+            {"indices", counts.indices},
+            {"indices_per_triangle", double(counts.indices) / triangles},
+            {"border_loops", counts.border_loops}};
+}
+
 }  // namespace
 
 Json bake_json(const std::string& input, const std::vector<std::string>& outputs,
@@ -60,19 +73,23 @@ Json bake_json(const std::string& input, const std::vector<std::string>& outputs
         {"stages", stages_json(pipeline.records())},
         {"versions", versions_json()}};
     if (result.texture.compressed) report["compressed"] = compress_json(result.texture);
+    if (result.strips.strips > 0) report["strips"] = strips_json(result.strips);
     return report;
 }
 
 Json vertex_colors_json(const std::string& input, const std::vector<std::string>& outputs,
-                        const Recipe& recipe, Pipeline& pipeline, Json seconds) {
-    return {{"input", input},
-            {"outputs", outputs},
-            {"recipe", Json::parse(to_json(recipe))},
-            {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
-            {"vertex_colors", pipeline.mesh().positions.size()},
-            {"mip_levels", 0},
-            {"seconds", std::move(seconds)},
-            {"versions", versions_json()}};
+                        const Recipe& recipe, Pipeline& pipeline, const BakeResult& result,
+                        Json seconds) {
+    Json report{{"input", input},
+                {"outputs", outputs},
+                {"recipe", Json::parse(to_json(recipe))},
+                {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
+                {"vertex_colors", pipeline.mesh().positions.size()},
+                {"mip_levels", 0},
+                {"seconds", std::move(seconds)},
+                {"versions", versions_json()}};
+    if (result.strips.strips > 0) report["strips"] = strips_json(result.strips);
+    return report;
 }
 
 Json normals_json(Pipeline& pipeline, const NormalMap& map, double crease_degrees) {

@@ -16,7 +16,8 @@ Json bake_json(const std::string& input, const std::vector<std::string>& outputs
 
 /// The report of a bake of vertex colours, which has no atlas.
 Json vertex_colors_json(const std::string& input, const std::vector<std::string>& outputs,
-                        const Recipe& recipe, Pipeline& pipeline, Json seconds);
+                        const Recipe& recipe, Pipeline& pipeline, const BakeResult& result,
+                        Json seconds);
 
 /// The errors of the normal map of the pipeline's recipe, as JSON, in degrees. Measured at about
 /// 20,000 points, which takes a while.

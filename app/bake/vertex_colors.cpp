@@ -45,7 +45,7 @@ void check_vertex_colors(const std::string& out, const RecipeOptions& recipe) {
 
 std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe) {
     const MaterialAsked separate{Packing::separate, 8, 0, false, 0.0};
-    std::vector<std::string> lost = picture_names(recipe, separate);
+    std::vector<std::string> lost = picture_names({&recipe, 1}, separate);
     if (!recipe.bump.empty()) lost.emplace_back("bumps");
     if (!recipe.paint.empty()) lost.emplace_back("paint");
     return lost;
@@ -66,6 +66,7 @@ BakeResult bake_vertex_colors(Pipeline& pipeline, const BakePlan& plan, const Me
     };
     if (pose) options.pose = ExportPose{*pose, recipe.pose.weight};
     options.vertex_colors = vertex_colors(recipe, mesh);
+    if (plan.strips) options.strips = &result.strips;
     const auto writing = std::chrono::steady_clock::now();
     std::vector<AtomicFile> files = scene_files(plan.paths.front(), mesh, {}, {}, options);
     result.committed = commit_together(files);

@@ -104,7 +104,11 @@ std::vector<SceneImage> texture_of(const std::string& name, const std::string& p
 }  // namespace
 
 std::string material_name(const SceneContent& content) {
-    const std::string &mesh = content.mesh.name, &recipe = content.options.recipe_name;
+    return material_name(content, content.options.recipe_name);
+}
+
+std::string material_name(const SceneContent& content, const std::string& recipe) {
+    const std::string& mesh = content.mesh.name;
     if (mesh.empty() || recipe.empty())
         return mesh.empty() && recipe.empty() ? "solid texture" : mesh + recipe;
     return mesh + ' ' + recipe;
@@ -238,6 +242,10 @@ bool is_materialx(const std::string& out_path) {
 bool is_gltf(const std::string& out_path) {
     const Format format = format_of(out_path);
     return format == Format::glb || format == Format::gltf;
+}
+
+bool holds_strips(const std::string& out_path) {
+    return is_gltf(out_path) || format_of(out_path) == Format::ply;
 }
 
 bool holds_colors(const std::string& out_path) {

@@ -15,6 +15,7 @@
 #include "app/recipe/material.h"
 #include "app/recipe/recipe.h"
 #include "atlas/mesh/mesh.h"
+#include "atlas/mesh/triangle_strips.h"
 #include "atlas/read/obj_source.h"
 #include "atlas/read/pose.h"
 #include "atlas/solid/atlas.h"
@@ -61,6 +62,15 @@ struct KeptObj {
 std::shared_ptr<const KeptObj> kept_obj(const std::string& path, const Mesh& mesh,
                                         const Mat4d& frame);
 
+/// The material of one of the recipes that share an atlas.
+struct ExportShare {
+    std::string recipe_name{}, recipe_json{};
+    Material material{};       ///< its numbers, factors of what the pictures show
+    bool transparent = false;  ///< whether its base colour has alpha
+    bool normals = false;      ///< whether it shows the normal map
+    std::vector<std::vector<std::string>> slots{};  ///< per picture its places in the glTF material
+};
+
 struct ExportOptions {
     /// The crease angle of computed normals (app/surface/normals.h).
     double crease_degrees = 40.0;
@@ -71,6 +81,9 @@ struct ExportOptions {
     /// The material's numbers, which are factors of what its pictures show.
     Material material{};
     std::vector<ExportPicture> pictures{};
+    /// The recipes that share the atlas of a glTF's document, each with a material of its own, by
+    /// the label of its triangles; empty: there is one recipe.
+    std::vector<ExportShare> shares{};
     PictureCoding coding{};               ///< of pictures in and beside the output (coding_asked)
     ExrDepth exr_depth = ExrDepth::half;  ///< of an .exr
     /// The pose becomes a morph target in .glb and .gltf; .obj is written as posed. Images are
@@ -83,6 +96,9 @@ struct ExportOptions {
     /// Per point of the mesh a colour in linear light, which the scene has in place of textures and
     /// texture coordinates; the atlas and the image are empty then. Or empty.
     std::vector<Vec4f> vertex_colors{};
+    /// The counts that triangle strips are added to, which .glb, .gltf and .ply have in place of
+    /// lists of triangles; null: lists.
+    StripCounts* strips = nullptr;
     /// Is told what the format cannot hold or had to be changed; empty: nobody is.
     std::function<void(const std::string&)> tell{};
 };
@@ -114,6 +130,10 @@ std::string normal_map_path(const std::string& out_path, TextureFormat format = 
 
 /// All files that scene_files writes of a scene with vertex colours.
 std::vector<std::string> paths_without_texture(const std::string& out_path);
+
+/// Whether the format holds triangle strips: .glb, .gltf and .ply. Throws Error(usage) for an
+/// unknown extension.
+bool holds_strips(const std::string& out_path);
 
 /// Whether the format is .glb or .gltf, whose materials take normal maps in tangent space only.
 /// Throws Error(usage) for an unknown extension.

@@ -28,6 +28,7 @@ enum Gl {  // OpenGL's constants in glTF documents
     gl_clamp_to_edge = 33071,
     gl_array_buffer = 34962,
     gl_element_array_buffer = 34963,
+    gl_triangle_strip = 5,
 };
 
 /// The largest 16-bit index; 65535 itself is reserved (primitive restart).
@@ -95,6 +96,7 @@ std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indi
 struct PrimitiveIds {
     std::size_t position = 0, normal = 0, indices = 0;
     std::optional<std::size_t> uv{}, color{}, block{}, tangent{};
+    bool is_strip = false;
     Json target{};  ///< the morph target's accessors; null: none
 };
 
@@ -106,6 +108,7 @@ std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveI
     if (ids.tangent) attributes["TANGENT"] = *ids.tangent;
     if (ids.block) attributes["_BURL_BLOCK"] = *ids.block;
     Json primitive{{"attributes", attributes}, {"indices", ids.indices}, {"material", 0}};
+    if (ids.is_strip) primitive["mode"] = int(gl_triangle_strip);
     if (!ids.target.is_null()) primitive["targets"] = Json::array({ids.target});
     Json mesh{{"name", name}, {"primitives", Json::array({primitive})}};
     if (!ids.target.is_null()) {
@@ -185,8 +188,9 @@ void add_animation(GltfScene& scene, const KeyTrack& track) {
     scene.json["animations"] = Json::array({std::move(animation)});
 }
 
-PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
+PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v, StripCounts* strips) {
     PrimitiveIds ids;
+    ids.is_strip = strips != nullptr;
     ids.position = add_positions(scene, v.positions);
     ids.normal = add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float,
                               v.normals.size(), "VEC3");
@@ -196,7 +200,9 @@ PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
     if (!v.colors.empty())
         ids.color = add_accessor(scene, as_bytes(v.colors), gl_array_buffer, gl_float,
                                  v.colors.size(), "VEC4");
-    ids.indices = add_indices(scene, v.indices, v.positions.size());
+    const std::vector<std::uint32_t>& indices =
+        strips ? scene.strips.emplace_back(strip_indices(v.indices, *strips)) : v.indices;
+    ids.indices = add_indices(scene, indices, v.positions.size());
     if (!v.tangents.empty())
         ids.tangent = add_accessor(scene, as_bytes(v.tangents), gl_array_buffer, gl_float,
                                    v.tangents.size(), "VEC4");
@@ -229,7 +235,7 @@ void add_part(GltfScene& scene, const SceneContent& content, const PartVertices&
     const std::string fallback_name = content.mesh.name.empty() ? "mesh" : content.mesh.name;
     const std::string name = part.name.empty() ? fallback_name : part.name;
     check_range(content, vertices);
-    const PrimitiveIds ids = add_primitive(scene, vertices);
+    const PrimitiveIds ids = add_primitive(scene, vertices, content.options.strips);
     const std::size_t mesh = add_mesh(scene, name, ids, pose);
     for (const Mat4d& instance : part.instances) {
         if (const auto place = decompose(centred(instance, vertices))) {
@@ -238,7 +244,7 @@ void add_part(GltfScene& scene, const SceneContent& content, const PartVertices&
         }
         const PartVertices& moved = scene.placed.emplace_back(placed(vertices, instance));
         check_range(content, moved);
-        const PrimitiveIds moved_ids = add_primitive(scene, moved);
+        const PrimitiveIds moved_ids = add_primitive(scene, moved, content.options.strips);
         add_node(scene, names(name), add_mesh(scene, name, moved_ids, pose), node_of_placed(moved));
     }
 }
@@ -271,7 +277,21 @@ nlohmann::ordered_json burl_extras(const SceneContent& content) {
                 {"size", atlas.size}};
     if (atlas.kind == AtlasKind::quad) burl["weight"] = to_string(atlas.weight);
     if (!recipe.empty()) burl["recipe"] = recipe;
+    if (content.options.shares.empty()) return burl;
+    burl.erase("recipe");
+    for (const ExportShare& share : content.options.shares)
+        burl["recipes"].push_back(share.recipe_json);
     return burl;
+}
+
+std::vector<std::uint32_t> strip_indices(std::span<const std::uint32_t> list, StripCounts& counts) {
+    std::vector<Triangle> triangles;
+    for (std::size_t i = 0; i < list.size(); i += 3)
+        triangles.push_back({list[i], list[i + 1], list[i + 2]});
+    const TriangleStrips strips = triangle_strips(triangles);
+    std::vector<std::uint32_t> all = joined(strips);
+    counts.add(strips, triangles.size(), all.size());
+    return all;
 }
 
 std::span<const std::uint8_t> padding_after(std::uint64_t bytes) {

@@ -1,6 +1,7 @@
 // PLY output, binary and little endian: what Blender, MeshLab and this program read. A vertex is
 // what agrees in point, texture coordinate and normal. Texture coordinates are there twice, as
-// Blender reads them (s and t of vertices) and as MeshLab does (a list per face).
+// Blender reads them (s and t of vertices) and as MeshLab does (a list per face, which strips
+// have no place for).
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -50,8 +51,7 @@ std::array<std::uint8_t, 4> codes_of(const Vec4f& color) {
             code(color.a)};
 }
 
-std::string header(const SceneContent& content, const PlacedTriangles& what, bool floats,
-                   std::size_t faces) {
+std::string header(const SceneContent& content, const PlacedTriangles& what, bool floats) {
     const bool textured = !what.uvs.empty();
     const char* const real = floats ? "float" : "double";
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment Burl " BURL_VERSION "\n";
@@ -65,7 +65,10 @@ std::string header(const SceneContent& content, const PlacedTriangles& what, boo
     if (!what.colors.empty())
         for (const char* channel : {"red", "green", "blue", "alpha"})
             text += fmt::format("property uchar {}\n", channel);
-    text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", faces);
+    if (content.options.strips)
+        return text + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+    text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n",
+                        what.triangles.size());
     if (textured) text += "property list uchar float texcoord\n";
     return text + "end_header\n";
 }
@@ -97,14 +100,30 @@ void add_face(LittleEndian& out, const PlacedTriangles& what, const Triangle& tr
     }
 }
 
+/// Adds all triangles as strips, each of which ends with -1 as in the files of Stanford's scans.
+void add_strips(LittleEndian& out, const PlacedTriangles& what, StripCounts& counts) {
+    const TriangleStrips strips = triangle_strips(what.triangles);
+    const std::size_t size = strips.vertices.size() + strips.ends.size();
+    counts.add(strips, what.triangles.size(), size);
+    out.add(std::int32_t(size));
+    std::size_t begin = 0;
+    for (const std::size_t end : strips.ends) {
+        for (; begin < end; ++begin) out.add(strips.vertices[begin]);
+        out.add(std::int32_t(-1));
+    }
+}
+
 }  // namespace
 
 std::vector<AtomicFile> write_ply(const SceneContent& content) {
     const PlacedTriangles what = placed_triangles(content);
     const bool floats = are_floats(what.points);
-    LittleEndian out{header(content, what, floats, what.triangles.size())};
+    LittleEndian out{header(content, what, floats)};
     for (std::size_t i = 0; i < what.points.size(); ++i) add_vertex(out, what, i, floats);
-    for (const Triangle& triangle : what.triangles) add_face(out, what, triangle);
+    if (content.options.strips)
+        add_strips(out, what, *content.options.strips);
+    else
+        for (const Triangle& triangle : what.triangles) add_face(out, what, triangle);
     if (content.options.tell && (content.options.normals || !content.options.pictures.empty()))
         content.options.tell("a .ply names the picture of the base colour alone");
     std::vector<AtomicFile> files;

@@ -32,11 +32,17 @@ if [ -n "$burl" ]; then
         "$burl" bake "$meshes/king.obj" -o "$scratch/bumps.$atlas.glb" --atlas $atlas --size 512 --recipe hammered \
             >/dev/null 2>&1 || { echo "burl bake failed on bumps, $atlas"; exit 1; }
     done
+    for atlas in uniform quad patch; do
+        "$burl" bake "$meshes/king.obj" -o "$scratch/strips.$atlas.glb" --atlas $atlas --size 512 --strips \
+            >/dev/null 2>&1 || { echo "burl bake failed on strips, $atlas"; exit 1; }
+    done
     for source in "$scratch"/kept_*.gltf; do # documents of other programs, baked back into themselves
         for atlas in quad patch; do
             "$burl" bake "$source" -o "${source%.gltf}.$atlas.glb" --atlas $atlas --size 128 --recipe hammered \
                 >/dev/null 2>&1 || { echo "burl bake failed on $source, $atlas"; exit 1; }
         done
+        "$burl" bake "$source" -o "${source%.gltf}.strips.glb" --size 128 --recipe hammered --strips \
+            >/dev/null 2>&1 || { echo "burl bake failed on $source, strips"; exit 1; }
         "$burl" bake "$source" -o "${source%.gltf}.webp.glb" --size 128 --recipe hammered --picture-format webp \
             >/dev/null 2>&1 || { echo "burl bake failed on $source, webp"; exit 1; }
     done
