@@ -10,6 +10,7 @@
 
 #include "app/image/exr_layers.h"
 #include "app/paint/texture.h"
+#include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
 #include "atlas/build/alpha_levels.h"
 #include "atlas/build/block_levels.h"
@@ -119,6 +120,7 @@ FloatMaterial float_material(Pipeline& pipeline, const MaterialAsked& asked,
     std::vector<Image<RgbaF>> images = pipeline.pictures<RgbaF>(plans_of(recipe, wanted));
     if (has_color_paint(recipe.paint)) paint(pipeline, images[0]);
     const bool mask = is_transparent(recipe) && recipe.material.alpha == AlphaMode::mask;
+    pipeline.context().begin(tasks::levels);
     FloatMaterial material;
     for (std::size_t i = 0; i < images.size(); ++i) {
         FloatLevels means = i == 0 && mask

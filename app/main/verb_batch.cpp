@@ -19,9 +19,11 @@
 #include "app/bake/job.h"
 #include "app/bake/up_to_date.h"
 #include "app/base/messages.h"
+#include "app/base/progress.h"
 #include "app/base/real_path.h"
 #include "app/export/command_files.h"
 #include "app/main/verbs.h"
+#include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
 #include "atlas/base/memory.h"
 
@@ -115,6 +117,7 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
         entry.command.threads = command.run.threads;
         entry.command.economy = command.run.economy;
         entry.command.force = command.run.force;
+        entry.command.told = command.run.told;
         try {
             if (!entry.wrong.empty()) throw Error(ExitCode::invalid_file, entry.wrong);
             bakes.push_back({entry.where, BakeJob(entry.command, entry.settings)});
@@ -297,11 +300,14 @@ void check_cache(const BakeCommand& run, const std::vector<Group>& groups) {
 
 /// Runs all bakes and prints a line for each where `speaks` is set. A line that cannot be written
 /// does not stop the bakes: no more lines are printed, and the exception is returned.
-std::exception_ptr run_all(const std::vector<Group>& groups, bool speaks) {
+std::exception_ptr run_all(const std::vector<Group>& groups, bool speaks, Progress& progress) {
     std::exception_ptr silenced;
+    std::size_t count = 0, next = 0;
+    for (const Group& group : groups) count += group.size();
     for (const Group& group : groups) {
         SharedMesh mesh;
         for (std::size_t i = 0; i < group.size(); ++i) {
+            progress.begin_item(group[i]->job.command().out, next++, count, tasks::read);
             run_alone(*group[i], mesh, later_of(group, i));
             if (!speaks || silenced) continue;
             try {
@@ -314,14 +320,17 @@ std::exception_ptr run_all(const std::vector<Group>& groups, bool speaks) {
     return silenced;
 }
 
-void run_batch(const BatchCommand& command) {
-    const BakeCommand& run = command.run;
+void run_batch(BatchCommand command) {
+    BakeCommand& run = command.run;
     check_report_options(run.json, run.report, run.quiet);
+    Progress progress(progress_mode(run.progress, run.quiet));
+    run.told = &progress;
     std::vector<Bake> bakes = check_manifest(command);
     const std::vector<Group> groups = groups_of(bakes);
     check_cache(run, groups);
     const std::exception_ptr silenced =
-        run_all(groups, !run.json && !run.quiet && run.report != "-");
+        run_all(groups, !run.json && !run.quiet && run.report != "-", progress);
+    progress.finish();
     const Json report = batch_json(bakes);
     if (!run.report.empty()) write_json(run.report, report);
     if (run.json) write_json("-", report);
