@@ -16,6 +16,7 @@
 #include "app/export/formats.h"
 #include "app/pipeline/displaced_mesh.h"
 #include "app/pipeline/mask_picture.h"
+#include "app/pipeline/tasks.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/error.h"
@@ -48,6 +49,7 @@ void go_on(const BakePlan& plan, std::size_t number, const char* next, double sh
         throw Error(ExitCode::runtime, "the export was stopped before it was done");
     const auto frames = double(std::max<std::size_t>(plan.paths.size(), 1));
     if (plan.reached) plan.reached(next, (double(number) + share) / frames);
+    if (plan.meter) plan.meter->begin(next);
 }
 
 std::string shader_text(const BakePlan& plan, const Pipeline& pipeline) {
@@ -98,6 +100,24 @@ ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const Mes
                                   pipeline.recipe().pose.weight};
     options.pose_keys = plan.pose_keys;
     return options;
+}
+
+/// The bytes of all pictures of a scene that an encoder counts, as PNG's does; 0 of others.
+std::uint64_t bytes_to_encode(const BakedImage& color, const ExportOptions& options) {
+    if (options.coding.format != TextureFormat::png) return 0;
+    std::uint64_t bytes = 0;
+    const auto add = [&](const auto& images) {
+        std::visit([&](const auto& image) { bytes += bytes_of(image); }, images);
+    };
+    add(color);
+    std::ranges::for_each(options.levels, add);
+    if (options.normals) add(options.normals->image);
+    if (options.normals) std::ranges::for_each(options.normals->levels, add);
+    for (const ExportPicture& picture : options.pictures) {
+        add(picture.image);
+        std::ranges::for_each(picture.levels, add);
+    }
+    return bytes;
 }
 
 std::optional<NormalMap> bake_normals(Pipeline& pipeline, const BakePlan& plan,
@@ -170,9 +190,9 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
         pictures ? BakedTexture{std::move(material.color), std::move(material.color_levels)}
                  : bake_texture(pipeline, kind, plan.levels);
     result.texture = compressed_bake(pipeline.atlas(), std::move(texture.image), plan.compress);
-    go_on(plan, number, "deriving normals", 0.7);
+    go_on(plan, number, tasks::normals, 0.7);
     std::optional<NormalMap> normals = bake_normals(pipeline, plan, material);
-    go_on(plan, number, "encoding pictures", 0.85);
+    go_on(plan, number, tasks::pictures, 0.85);
     if (releases) pipeline.release_texels();
     const auto writing = Clock::now();
     ExportOptions options = export_options(pipeline, plan, pose);
@@ -187,6 +207,9 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     }
     cut_to_extent(pipeline.atlas().options, result.texture.image, options);
     options.coding = plan.coding;
+    options.coding.meter = plan.meter;
+    if (plan.meter)
+        plan.meter->begin(tasks::pictures, bytes_to_encode(result.texture.image, options));
     options.exr_depth = plan.exr_depth;
     const BakedAtlas& baked = result.texture;
     const Atlas& atlas = baked.packed ? *baked.packed : pipeline.atlas();
@@ -270,12 +293,13 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
 
     StageContext& context = pipeline.context();
     Stages& stages = pipeline.stages();
-    context.stop = plan.stop;
+    context.stop = plan.stop, context.meter = plan.meter;
+    if (plan.meter) plan.meter->begin_round(0, plan.paths.size());
     tell_shortage(plan, mesh, recipe.atlas, nullptr);
-    go_on(plan, 0, "laying out the atlas", 0.0);
+    go_on(plan, 0, tasks::layout, 0.0);
     const Connectivity& edges = pipeline.connectivity();
     const MeshAtlas* made = stages.layout.run(context, mesh, edges, recipe.atlas, plan.stop);
-    go_on(plan, 0, "finding the solid's points", 0.25);
+    go_on(plan, 0, tasks::points, 0.25);
     const MeshAtlas& atlas = *made;
     tell(plan, mesh, atlas.atlas().notes.fallback);
     for (const std::string& loss : uv_losses(mesh, atlas.atlas().notes)) tell(plan, mesh, loss);
@@ -290,14 +314,15 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     for (std::size_t i = 0; i < plan.paths.size(); ++i) {
         const bool last = i + 1 == plan.paths.size();
         if (i > 0) set_frame(pipeline, plan, i);
+        if (i > 0 && plan.meter) plan.meter->begin_round(i, plan.paths.size());
         result.texture = {};  // frees the last frame's texture before the next is made
         result.normals.reset();
-        go_on(plan, i, "synthesising the texture", 0.3);
+        go_on(plan, i, tasks::texture, 0.3);
         std::vector<AtomicFile> files =
             files_of_frame(pipeline, plan, i, pose, last && !needed_later, result);
-        go_on(plan, i, "writing", 0.95);
+        go_on(plan, i, tasks::write, 0.95);
         if (last) add_beside(files, pipeline, plan, shader, result);
-        go_on(plan, i, "writing", 0.98);
+        go_on(plan, i, tasks::write, 0.98);
         commit(files, result);
     }
     return result;

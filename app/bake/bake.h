@@ -54,6 +54,7 @@ struct BakePlan {
     bool strips = false;                   ///< whether the scene has triangle strips
     /// Is told what comes next, and which share of the bake is done, 0 to 1; empty: nobody is.
     std::function<void(const char* next, double share)> reached{};
+    TaskMeter* meter = nullptr;  ///< is told what is done, and how much of it; null: nobody is
     /// A request by another thread to stop: bake() then throws Error(runtime) soon. Files of frames
     /// that are done stay; of the frame under way none is written.
     std::stop_token stop{};

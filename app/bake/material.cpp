@@ -10,6 +10,7 @@
 
 #include "app/bake/shared_pictures.h"
 #include "app/image/exr_layers.h"
+#include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
 #include "atlas/build/alpha_levels.h"
 #include "atlas/build/block_levels.h"
@@ -108,6 +109,7 @@ FloatMaterial float_material(Pipeline& pipeline, const MaterialAsked& asked,
     std::vector<Image<RgbaF>> images =
         shared_pictures<RgbaF>(pipeline, recipes, wanted, asked.packing, asked.rough_levels());
     const std::optional<double> cutoff = mask_cutoff(recipes);
+    pipeline.context().begin(tasks::levels);
     FloatMaterial material;
     for (std::size_t i = 0; i < images.size(); ++i) {
         FloatLevels means =

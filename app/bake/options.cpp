@@ -172,9 +172,9 @@ void add_document(CLI::App& verb, BakeCommand& command) {
 /// Whether no output depends on the option, or it is part of the recipe, or names the mesh or the
 /// output.
 bool counts_elsewhere(const std::string& name) {
-    static constexpr std::array<std::string_view, 15> names = {
+    static constexpr std::array<std::string_view, 16> names = {
         "help",    "mesh",    "output", "recipe", "set",  "filter", "precision", "time",
-        "threads", "no-skip", "cache",  "force",  "json", "report", "quiet"};
+        "threads", "no-skip", "cache",  "force",  "json", "report", "quiet",     "progress"};
     return std::ranges::find(names, name) != names.end() ||
            std::ranges::any_of(parameters(), [&](const RecipeParameter& parameter) {
                return parameter.use.option.ends_with("--" + name);
@@ -243,6 +243,7 @@ void add_run_options(CLI::App& verb, BakeCommand& command) {
     command.economy.add_skips(verb);
     command.economy.add_cache(verb);
     verb.add_flag("--force", command.force, "Make outputs again that are up to date");
+    add_progress(verb, command.progress);
 }
 
 void add_report_options(CLI::App& verb, BakeCommand& command) {

@@ -18,6 +18,8 @@ class App;
 
 namespace burl {
 
+class Progress;
+
 /// Values of the options of one bake.
 struct BakeCommand {
     std::string mesh, out, report;
@@ -52,6 +54,8 @@ struct BakeCommand {
     bool json = false, quiet = false;     ///< print the JSON report, or nothing, on stdout
     bool makes_folders = false;           ///< whether folders of outputs may be missing yet
     bool force = false;                   ///< bake even if the outputs are up to date
+    std::string progress = "auto";        ///< a word of progress_modes
+    Progress* told = nullptr;             ///< is told of the bake's progress; null: nobody is
 
     /// Bits of pictures that are no .exr.
     int bits() const { return std::min(depth.value_or(8), 16); }
@@ -82,7 +86,8 @@ void add_report_options(CLI::App& verb, BakeCommand& command);
 /// Throws Error(usage) if two of --json, --report and --quiet contradict each other.
 void check_report_options(bool json, const std::string& report, bool quiet);
 
-/// Adds the options that no output depends on: --threads, --no-skip, --force and --cache.
+/// Adds the options that no output depends on: --threads, --no-skip, --force, --cache and
+/// --progress.
 void add_run_options(CLI::App& verb, BakeCommand& command);
 
 /// The options of add_bake_options that are not in the recipe, without the mesh and the output, as

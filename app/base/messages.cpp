@@ -4,12 +4,15 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
+#include <mutex>
 #include <numeric>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 namespace burl {
 
@@ -44,9 +47,55 @@ bool commands_terminals(std::string_view character) {
     return first == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
 }
 
-bool write_line(std::string_view line, std::FILE* stream) {
-    const std::string bytes = printable(line) + "\n";
+bool write_bytes(std::string_view bytes, std::FILE* stream) {
     return std::fwrite(bytes.data(), 1, bytes.size(), stream) == bytes.size();
+}
+
+/// The columns of the terminal that stderr is.
+std::size_t terminal_columns() {
+    winsize size{};
+    const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+    return known ? size.ws_col : 80;
+}
+
+/// The text's first characters.
+std::string_view first_characters(std::string_view text, std::size_t count) {
+    std::size_t end = 0;
+    for (; count > 0 && end < text.size(); --count)
+        end += std::max<std::size_t>(1, utf8_length(text.substr(end)));
+    return text.substr(0, end);
+}
+
+/// The line of show_status(), which the process has once, as it has one terminal. The mutex is held
+/// while anything is written to either.
+struct StatusLine {
+    std::mutex mutex;
+    std::string text;
+
+    void draw() const {
+        if (!text.empty())
+            write_bytes(std::string(first_characters(text, terminal_columns() - 1)), stderr);
+    }
+    void clear() const {
+        if (!text.empty()) write_bytes("\r\x1b[K", stderr);
+    }
+};
+
+/// The process's only line; never destroyed, since threads may speak during exit.
+StatusLine& status_line() {
+    static auto* const only = new StatusLine;
+    return *only;
+}
+
+/// Writes a line above the status; whether it was written.
+bool write_line(std::string_view line, std::FILE* stream) {
+    StatusLine& status = status_line();
+    const std::lock_guard lock(status.mutex);
+    status.clear();
+    bool written = write_bytes(printable(line) + "\n", stream);
+    if (stream == stdout) written = std::fflush(stdout) == 0 && written;
+    status.draw();
+    return written;
 }
 
 /// Levenshtein's distance: insertions, deletions and replacements of single characters.
@@ -84,13 +133,21 @@ std::string printable(std::string_view text) {
 }
 
 void print_line(std::string_view line) {
-    if (!write_line(line, stdout) || std::fflush(stdout) != 0)
+    if (!write_line(line, stdout))
         throw std::system_error(errno, std::generic_category(),
                                 "a line cannot be written to stdout");
 }
 
 void warn(std::string_view sentence) {
     write_line(sentence, stderr);
+}
+
+void show_status(std::string_view line) {
+    StatusLine& status = status_line();
+    const std::lock_guard lock(status.mutex);
+    status.clear();
+    status.text = printable(line);
+    status.draw();
 }
 
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {

@@ -18,6 +18,10 @@ void print_line(std::string_view line);
 /// Prints a printable() line to stderr; a stderr that cannot be written to is ignored.
 void warn(std::string_view sentence);
 
+/// Shows a printable() line below all messages on stderr, a terminal, in place of the last one, as
+/// far as it is wide; messages come above it. Empty: no line.
+void show_status(std::string_view line);
+
 /// The candidate with the smallest edit distance to `word`; empty when there is none that shares
 /// more than it lacks.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);

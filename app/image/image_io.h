@@ -12,6 +12,7 @@
 #include "app/base/file_bytes.h"
 #include "app/image/palette.h"
 #include "atlas/base/image.h"
+#include "atlas/base/task_meter.h"
 
 namespace burl {
 
@@ -64,10 +65,11 @@ template <class Pixel>
 std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level = png_level_by_size);
 
 /// Passes the bytes to the sink as they are produced, by one thread at a time: beside a texture of
-/// 16384 x 16384 texels there is no memory for its file. Exceptions of the sink are passed on.
+/// 16384 x 16384 texels there is no memory for its file. Exceptions of the sink are passed on. A
+/// meter gets the bytes of pixels as they are encoded.
 template <class Pixel>
 void encode_png(const Image<Pixel>& image, const ByteSink& sink,
-                PngContent content = png_content<Pixel>);
+                PngContent content = png_content<Pixel>, TaskMeter* meter = nullptr);
 
 /// A PNG with a palette, or in grey where all colours are grey, at libdeflate's level 9; for small
 /// files.

@@ -107,7 +107,7 @@ template <class Pixel>
 void encode_picture(const Image<Pixel>& image, const ByteSink& sink, const PictureCoding& coding,
                     PngContent content) {
     const TextureFormat format = coding.format;
-    if (format == TextureFormat::png) return encode_png(image, sink, content);
+    if (format == TextureFormat::png) return encode_png(image, sink, content, coding.meter);
     if (std::max(image.width(), image.height()) > most_pixels(format))
         throw Error(
             ExitCode::unsupported,

@@ -22,6 +22,8 @@ struct PictureCoding {
     /// The quality of JPEG, 1 to 100, and of WebP, 0 to 100, which keeps every code; zstd's level
     /// of KTX2, 0 (stored) to 19. None: jpeg_quality, every code, and ktx2_level.
     std::optional<int> quality{};
+    /// Gets the bytes of pixels as they are encoded, by PNG alone; null: nobody does.
+    TaskMeter* meter = nullptr;
 };
 
 /// The quality at which JPEG's worst texel of marble is off by 6 of 255 codes

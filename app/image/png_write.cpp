@@ -166,7 +166,7 @@ class BandWriter {
     bool is_first_ = true;
 };
 
-void write_bands(const ByteSink& sink, const PngRaster& raster, int level) {
+void write_bands(const ByteSink& sink, const PngRaster& raster, int level, TaskMeter* meter) {
     const std::size_t rows = std::max<std::size_t>(1, band_bytes / raster.stride());
     const std::size_t count = (raster.height + rows - 1) / rows;
     BandWriter writer(sink, count);
@@ -176,8 +176,10 @@ void write_bands(const ByteSink& sink, const PngRaster& raster, int level) {
         return next++;
     };
     const auto encode = [&](std::size_t band) {
-        return encode_band(raster, {band * rows, std::min(raster.height, (band + 1) * rows)},
-                           level);
+        const PngRows some{band * rows, std::min(raster.height, (band + 1) * rows)};
+        PngBand encoded = encode_band(raster, some, level);
+        if (meter) meter->add((some.end - some.begin) * raster.stride());
+        return encoded;
     };
     const auto write = [&](PngBand band) { writer.add(std::move(band)); };
     const auto threads = std::size_t(tbb::this_task_arena::max_concurrency());
@@ -188,14 +190,15 @@ void write_bands(const ByteSink& sink, const PngRaster& raster, int level) {
             tbb::make_filter<PngBand, void>(tbb::filter_mode::serial_in_order, write));
 }
 
-void encode_raster(const ByteSink& sink, const PngRaster& raster, PngContent content, int level) {
+void encode_raster(const ByteSink& sink, const PngRaster& raster, PngContent content, int level,
+                   TaskMeter* meter = nullptr) {
     if (raster.width > max_png_side || raster.height > max_png_side)
         throw Error(ExitCode::runtime, fmt::format("an image of {} x {} is too large for PNG",
                                                    raster.width, raster.height));
     const bool is_small = raster.stride() * raster.height <= small_image;
     const int by_size = is_small ? small_level : large_level;
     write_header(sink, raster, content);
-    write_bands(sink, raster, level == png_level_by_size ? by_size : level);
+    write_bands(sink, raster, level == png_level_by_size ? by_size : level, meter);
     write_chunk(sink, "IEND", {});
 }
 
@@ -237,8 +240,9 @@ std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level) {
 }
 
 template <class Pixel>
-void encode_png(const Image<Pixel>& image, const ByteSink& sink, PngContent content) {
-    encode_raster(sink, raster_of(image), content, png_level_by_size);
+void encode_png(const Image<Pixel>& image, const ByteSink& sink, PngContent content,
+                TaskMeter* meter) {
+    encode_raster(sink, raster_of(image), content, png_level_by_size, meter);
 }
 
 template std::vector<std::uint8_t> encode_png(const Image<Rgb8>&, int);
@@ -247,12 +251,12 @@ template std::vector<std::uint8_t> encode_png(const Image<Rgba8>&, int);
 template std::vector<std::uint8_t> encode_png(const Image<Rgba16>&, int);
 template std::vector<std::uint8_t> encode_png(const Image<Grey8>&, int);
 template std::vector<std::uint8_t> encode_png(const Image<Grey16>&, int);
-template void encode_png(const Image<Rgb8>&, const ByteSink&, PngContent);
-template void encode_png(const Image<Rgb16>&, const ByteSink&, PngContent);
-template void encode_png(const Image<Rgba8>&, const ByteSink&, PngContent);
-template void encode_png(const Image<Rgba16>&, const ByteSink&, PngContent);
-template void encode_png(const Image<Grey8>&, const ByteSink&, PngContent);
-template void encode_png(const Image<Grey16>&, const ByteSink&, PngContent);
+template void encode_png(const Image<Rgb8>&, const ByteSink&, PngContent, TaskMeter*);
+template void encode_png(const Image<Rgb16>&, const ByteSink&, PngContent, TaskMeter*);
+template void encode_png(const Image<Rgba8>&, const ByteSink&, PngContent, TaskMeter*);
+template void encode_png(const Image<Rgba16>&, const ByteSink&, PngContent, TaskMeter*);
+template void encode_png(const Image<Grey8>&, const ByteSink&, PngContent, TaskMeter*);
+template void encode_png(const Image<Grey16>&, const ByteSink&, PngContent, TaskMeter*);
 
 std::vector<std::uint8_t> encode_png(const IndexedImage& image) {
     constexpr int level = 9;

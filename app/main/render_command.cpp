@@ -131,6 +131,7 @@ void RenderCommand::add(CLI::App& verb) {
     add_modes(verb, *this);
     add_frames(verb, *this);
     add_sheet(verb, *this);
+    add_progress(verb, progress);
 }
 
 void RenderCommand::check(const std::vector<std::string>& names) const {

@@ -21,6 +21,7 @@ struct RenderCommand {
     std::vector<std::string> recipes;  ///< the texts of --recipes; none: one picture of --recipe
     std::size_t columns = 0;           ///< of a sheet; 0: as many as rows, about
     std::string out, report, platform;
+    std::string progress = "auto";  ///< a word of progress_modes
     std::optional<std::string> level_rule;
     bool direct = false, lazy = false;
     /// The moves of the camera, which complete() takes out of `animation`.

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
+#include "app/base/progress.h"
 #include "app/gl/device/context.h"
 #include "app/gl/draw/lazy_picture.h"
 #include "app/gl/draw/render.h"
@@ -305,9 +306,17 @@ RenderedFrames rendered_frames(const RenderCommand& command, CommandFiles& files
 void write_frames(const RenderCommand& command, const RenderedFrames& frames) {
     const SheetGrid grid = command.is_sheet() ? grid_of(command) : SheetGrid{};
     const auto writer = frame_writer(command.paths(), command.file);
-    for (std::size_t i = 0; i < std::size_t(command.file.frames); ++i)
+    Progress progress(progress_mode(command.progress, false));
+    const auto count = std::size_t(command.file.frames);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (TaskMeter* const meter = progress.meter()) {
+            meter->begin_round(i, count);
+            meter->begin("drawing");
+        }
         writer->add(draw_frame(command, frames, i, grid));
+    }
     writer->commit();
+    progress.finish();
     if (frames.write_report) frames.write_report();
 }
 

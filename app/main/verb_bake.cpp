@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bake/job.h"
+#include "app/base/progress.h"
 #include "app/base/stopwatch.h"
 #include "app/main/verbs.h"
+#include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
 #include "atlas/base/memory.h"
 
@@ -28,13 +30,19 @@ void add_bake(CLI::App& program) {
             throw Error(ExitCode::usage,
                         "--cache keeps what one frame leaves to the next; add --frames, or leave "
                         "it out");
-        const BakeJob job(*command, bake_settings(*verb));
+        Progress progress(progress_mode(command->progress, command->quiet));
+        BakeCommand told = *command;
+        told.told = &progress;
+        const BakeJob job(told, bake_settings(*verb));
         if (const auto known = job.known_report()) return job.print(*known);
         const std::shared_ptr<TextureSynthesizer> synthesizer = job.synthesizer();
         const auto start = std::chrono::steady_clock::now();
+        progress.begin_item("", 0, 1, tasks::read);
         Pipeline pipeline(job.command().load_mesh());
         return_large_blocks(pipeline.mesh().triangles.size());
-        job.print(job.run(pipeline, synthesizer, seconds_since(start), LaterBake::none));
+        const Json report = job.run(pipeline, synthesizer, seconds_since(start), LaterBake::none);
+        progress.finish();
+        job.print(report);
     });
 }
 

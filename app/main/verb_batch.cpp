@@ -21,8 +21,10 @@
 #include "app/bake/batch_run.h"
 #include "app/bake/batch_schedule.h"
 #include "app/base/messages.h"
+#include "app/base/progress.h"
 #include "app/export/command_files.h"
 #include "app/main/verbs.h"
+#include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"
 
@@ -234,23 +236,53 @@ std::uint64_t bytes_held(const BatchGroup& group) {
     return most;
 }
 
+/// Tells the progress of bakes that workers make: of one worker task by task, of several bake by
+/// bake.
+class BatchProgress {
+  public:
+    BatchProgress(Progress& progress, std::size_t count, bool alone)
+        : progress_(progress), count_(count), alone_(alone) {}
+    void begins(const BatchBake& bake) {
+        const std::scoped_lock lock(mutex_);
+        progress_.begin_item(bake.job.command().out, done_, count_,
+                             alone_ ? tasks::read : tasks::bakes);
+    }
+    void done() {
+        const std::scoped_lock lock(mutex_);
+        ++done_;
+    }
+
+  private:
+    Progress& progress_;
+    std::size_t done_ = 0, count_;
+    bool alone_;
+    std::mutex mutex_;
+};
+
 /// Bakes of one mesh are parted where that keeps all workers busy: each part reads the mesh anew.
 constexpr std::size_t parts_per_worker = 4, fewest_in_a_part = 16;
 
-void run_all(const BatchCommand& command, std::vector<BatchBake>& bakes, BatchLines& lines) {
+void run_all(const BatchCommand& command, std::vector<BatchBake>& bakes, BatchLines& lines,
+             Progress& progress) {
     std::vector<BatchGroup> groups = batch_groups(bakes);
     check_cache(command.run, groups);
     const int workers = workers_of(command, bakes);
+    if (workers == 1)
+        for (BatchBake& bake : bakes) bake.job.tell(&progress);
+    BatchProgress told(progress, bakes.size(), workers == 1);
     if (workers > 1)
         groups = split_groups(
             groups,
             std::max(fewest_in_a_part, bakes.size() / (std::size_t(workers) * parts_per_worker)));
     std::vector<QueuedJob> jobs;
     for (const BatchGroup& group : groups)
-        jobs.push_back({bytes_held(group), [&group, &lines] {
+        jobs.push_back({bytes_held(group), [&group, &lines, &told] {
                             run_group(
-                                group, [](const BatchBake&) {},
-                                [&](const BatchBake& bake) { lines.print(bake); });
+                                group, [&](const BatchBake& bake) { told.begins(bake); },
+                                [&](const BatchBake& bake) {
+                                    lines.print(bake);
+                                    told.done();
+                                });
                         }});
     run_jobs(jobs, workers,
              command.memory.empty() ? default_budget() : memory_size(command.memory));
@@ -278,12 +310,14 @@ void throw_if_failed(const BatchCommand& command, const std::vector<BatchBake>& 
 void run_batch(BatchCommand command) {
     BakeCommand& run = command.run;
     check_report_options(run.json, run.report, run.quiet);
+    Progress progress(progress_mode(run.progress, run.quiet));
     std::vector<BatchBake> bakes = check_manifest(command);
     BatchLines lines(!run.json && !run.quiet && run.report != "-");
     if (command.dry_run)
         plan_all(bakes, lines);
     else
-        run_all(command, bakes, lines);
+        run_all(command, bakes, lines, progress);
+    progress.finish();
     const Json report = batch_json(bakes);
     if (!run.report.empty()) write_json(run.report, report);
     if (run.json) write_json("-", report);

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/messages.h"
+#include "app/base/progress.h"
 #include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/parameters.h"
@@ -254,6 +255,15 @@ void add_threads(CLI::App& verb, int& threads) {
     verb.add_option("-j,--threads", threads,
                     "Threads to use, 0 for all; the result never depends on it")
         ->check(CLI::Range(0, 1024));
+}
+
+void add_progress(CLI::App& verb, std::string& mode) {
+    verb.add_option("--progress", mode,
+                    "What is told on stderr of long work: line (one line, drawn anew), plain (a "
+                    "line every ten seconds), json (for programs), none, or auto: line on a "
+                    "terminal, else plain")
+        ->check(one_of({progress_modes.begin(), progress_modes.end()}))
+        ->capture_default_str();
 }
 
 void EconomyOptions::add_skips(CLI::App& verb) {

@@ -105,6 +105,8 @@ CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// Adds --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);
+/// Adds --progress, a word of progress_modes (app/base/progress.h).
+void add_progress(CLI::App& verb, std::string& mode);
 /// Options about computations that a texture may leave out or reuse: --no-skip and --cache.
 struct EconomyOptions {
     std::vector<std::string> forbidden;     ///< words of skip_names, or "all"

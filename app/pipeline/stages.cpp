@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/paint/mask.h"
+#include "app/pipeline/tasks.h"
 #include "atlas/base/mip_chain.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/solid/level.h"
@@ -151,6 +152,7 @@ MaskImages MaskStage::run(StageContext& context, const Mesh& mesh, const MeshAtl
             if (!owners) owners.emplace(solid, atlas.atlas(), OwnerReach::gutters);
             return shape_->image(solid, *owners, key, slopes, stop);
         };
+        context.begin(tasks::masks);
         const bool done = context.records.attempt(Stage::masks, [&](StageCost& cost) {
             images[m] = std::make_shared<const TexelField>(
                 masks[m].kind == MaskKind::paint
@@ -199,6 +201,7 @@ std::vector<Image<RgbF>> LevelStage::run(StageContext& context, const MeshAtlas&
                                          const SolidAtlas& solid, const Recipe& recipe,
                                          const MaskSource& masks, const Image<RgbF>& texture,
                                          std::uint32_t count, const LevelRule& rule) const {
+    context.begin(tasks::levels);
     return context.records.time(Stage::levels, [&](StageCost& cost) {
         std::vector<Image<RgbF>> levels =
             rule.direct           ? direct_levels(atlas, solid, recipe, texture, count, rule,
@@ -229,6 +232,7 @@ std::vector<Image<RgbF>> LevelStage::run_in_bands(StageContext& context, const M
         levels.insert(levels.begin(), std::move(first_level));
         return levels;
     };
+    context.begin(tasks::levels);
     return context.records.time(Stage::levels, [&](StageCost& cost) {
         std::vector<Image<RgbF>> levels =
             rule.direct ? direct_levels(atlas, solid, recipe, means, count, rule,
@@ -268,14 +272,15 @@ Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const Mes
             return *image;
         }
     const MaskImages read = masks(solid, recipe.bump.input, GraphOutput::color, {});
+    context.begin(tasks::normals, std::uint64_t(solid.size) * solid.size);
     Image<Pixel> map = context.records.time(Stage::normals, [&](StageCost& cost) {
         if (!frames_ || frames_->key != key) frames_ = make_normal_frames(mesh, atlas, key);
-        Image<Pixel> image =
-            synthesize_normals<Pixel>(solid,
-                                      {atlas.mesh(mesh), atlas.atlas(), frames_->positions,
-                                       frames_->normals, frames_->tangents},
-                                      recipe.bump, texture_from_solid(recipe), recipe.filter,
-                                      context.way.threads, graph_precision(recipe), read);
+        Image<Pixel> image = synthesize_normals<Pixel>(
+            solid,
+            {atlas.mesh(mesh), atlas.atlas(), frames_->positions, frames_->normals,
+             frames_->tangents},
+            recipe.bump, texture_from_solid(recipe), recipe.filter, context.way.threads,
+            graph_precision(recipe), read, {.stop = context.stop, .meter = context.meter});
         cost.work.texels = texels_of(solid);
         cost.bytes = bytes_of(image);
         return image;

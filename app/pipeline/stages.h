@@ -35,7 +35,13 @@ struct StageContext {
     std::shared_ptr<TextureSynthesizer> synthesizer{};  ///< of level 0 of textures; null: the host
     /// A request that syntheses return soon, with results that must not be used.
     std::stop_token stop{};
+    TaskMeter* meter = nullptr;  ///< is told what is done; null: nobody is
     StageRecords records{};
+
+    /// Tells the meter what comes next, which may be so many texels.
+    void begin(const char* task, std::uint64_t texels = 0) const {
+        if (meter) meter->begin(task, texels, texels > 0);
+    }
 };
 
 /// The mesh's edges: who is whose neighbour.

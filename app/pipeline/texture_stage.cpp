@@ -3,6 +3,7 @@
 
 #include "app/paint/texture.h"
 #include "app/pipeline/stages.h"
+#include "app/pipeline/tasks.h"
 
 namespace burl {
 
@@ -24,6 +25,13 @@ void paint(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
         cost.bytes = bytes_of(image);
         return true;
     });
+}
+
+/// The economy of a synthesis of all texels of `solid`, of which the context's meter is told.
+Economy begun(const StageContext& context, StageCost& cost, const SolidAtlas& solid,
+              const std::stop_token& stop) {
+    context.begin(tasks::texture, std::uint64_t(solid.size) * solid.size);
+    return {context.skips, &cost.work, stop, context.meter};
 }
 
 /// The masks that the recipe's base colour reads.
@@ -52,7 +60,7 @@ const Image<Pixel>* unpainted(StageContext& context, TextureCache& cache, const 
         if (elsewhere)
             synthesize_elsewhere(context, cache.solid(), recipe, &image, cost);
         else
-            cache.fill(recipe, context.way, {context.skips, &cost.work, stop}, image, read);
+            cache.fill(recipe, context.way, begun(context, cost, cache.solid(), stop), image, read);
         cost.bytes = bytes_of(image);
         return !stop.stop_requested();
     });
@@ -85,7 +93,7 @@ Image<Pixel> TextureStage::run(StageContext& context, const SolidAtlas& solid, c
         synthesize_elsewhere(context, solid, recipe, &image, cost);
     else
         image = fill_unpainted<Pixel>(solid, recipe, context.way,
-                                      {context.skips, &cost.work, context.stop}, {}, read);
+                                      begun(context, cost, solid, context.stop), {}, read);
     cost.bytes = bytes_of(image);
     context.records.add(Stage::synthesis, seconds_since(start), cost);
     paint(context, solid, recipe, image);
@@ -109,7 +117,7 @@ void TextureStage::run_in_bands(StageContext& context, const SolidAtlas& solid,
         painting += painted - filled;
         taking += Clock::now() - painted;
     };
-    fill_in_bands(solid, recipe, context.way, {context.skips, &cost.work, context.stop}, read,
+    fill_in_bands(solid, recipe, context.way, begun(context, cost, solid, context.stop), read,
                   texels, take_rows);
     const std::chrono::duration<double> all = Clock::now() - start;
     context.records.add(Stage::synthesis, (all - painting - taking).count(), cost);
@@ -130,7 +138,7 @@ std::vector<Image<Pixel>> TextureStage::run_pictures(StageContext& context, cons
         std::vector<Image<Pixel>> pictures = synthesize_pictures<Pixel>(
             solid, recipe.texture, plans, texture_from_solid(recipe), recipe.filter,
             context.way.threads, recipe.precision.kind.value_or(PrecisionKind::float32),
-            {context.skips, &cost.work, stop}, read);
+            begun(context, cost, solid, stop), read);
         if (stop.stop_requested()) pictures.clear();
         for (const Image<Pixel>& picture : pictures) cost.bytes += bytes_of(picture);
         return pictures;

@@ -9,6 +9,8 @@
 #include <stop_token>
 #include <string_view>
 
+#include "atlas/base/task_meter.h"
+
 namespace burl {
 
 /// Kinds of work that are left out because the result does not need them.
@@ -78,13 +80,19 @@ class WorkSum {
     SynthesisWork* total_;
 };
 
-/// The work that a synthesis may leave out, the counts that it adds to (`work`; null: none), and a
-/// request to stop. Once another thread requests it, the synthesis returns soon and its result must
-/// not be used.
+/// The work that a synthesis may leave out, the counts that it adds to (`work`; null: none), a
+/// request to stop, and a meter that gets texels as they are done (null: none). Once another thread
+/// requests a stop, the synthesis returns soon and its result must not be used.
 struct Economy {
     Skips skips{};
     SynthesisWork* work = nullptr;
     std::stop_token stop{};
+    TaskMeter* meter = nullptr;
+
+    /// Tells the meter of rows of so many texels, those that show nothing included.
+    void count(std::size_t rows, std::size_t texels) const {
+        if (meter) meter->add(std::uint64_t(rows) * texels);
+    }
 };
 
 }  // namespace burl

@@ -99,7 +99,7 @@ void CachedGraph::synthesize(const TextureGraph& graph, const Affine3& texture_f
         const GraphValues number(key.graph);
         octaves_ = number.program().octaves();
         fill_points(*solid_, texture_from_atlas, number, {}, threads,
-                    {economy.skips, &work, economy.stop}, RowBand(values_), masks);
+                    {economy.skips, &work, economy.stop, economy.meter}, RowBand(values_), masks);
         if (economy.stop.stop_requested()) return;
         known_ = key;
     }

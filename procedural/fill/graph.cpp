@@ -43,7 +43,7 @@ Image<Pixel> synthesize_graph(const SolidAtlas& solid, const TextureGraph& graph
     const GraphEvaluator evaluate(graph, filter, precision);
     Image<Pixel> image(solid.size, rows.count(), encode(evaluate(Vec3d(0.0)).color()));
     fill_texels(solid, map, evaluate, filter, GraphColor{}, encode, threads,
-                RowBand(image, rows.first), economy.stop, masks);
+                RowBand(image, rows.first), economy, masks);
     if (economy.work) *economy.work += work_of(solid, rows, GraphValues(graph).program(), filter);
     return image;
 }

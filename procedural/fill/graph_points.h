@@ -234,6 +234,7 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
              ++row) {
             const std::size_t y = rows.first + row;
             if (row % groups.rows == 0) queue->flush();
+            economy.count(1, solid.size);
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
                 const WholeSpan whole = solid.whole(span);

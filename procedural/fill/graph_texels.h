@@ -97,12 +97,12 @@ class TexelQueue {
 template <class Pixel, class Shade, class Encode>
 void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluator& evaluate,
                  const Filter& filter, const Shade& shade, const Encode& encode, int threads,
-                 const RowBand<Pixel>& image, const std::stop_token& stop = {},
+                 const RowBand<Pixel>& image, const Economy& economy = {},
                  const MaskImages& masks = {}) {
     const MaskReader reader(masks, map);
     const auto fill_rows = [&](const RowRange& rows) {
         TexelQueue<Pixel, Shade, Encode> queue(evaluate, filter, shade, encode, image, reader);
-        for (std::size_t y = image.first + rows.begin(); y != image.first + rows.end(); ++y)
+        for (std::size_t y = image.first + rows.begin(); y != image.first + rows.end(); ++y) {
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
                 const Footprint steps{map.linear * texel.step_x, map.linear * texel.step_y};
@@ -110,9 +110,11 @@ void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluat
                     queue.add(
                         {x, std::uint32_t(y), span.map, map(texel(x, std::int64_t(y))), steps});
             }
+            economy.count(1, solid.size);
+        }
         queue.flush();
     };
-    for_row_ranges(image.rows().count(), 16 * graph_batch_size, threads, fill_rows, stop);
+    for_row_ranges(image.rows().count(), 16 * graph_batch_size, threads, fill_rows, economy.stop);
 }
 
 }  // namespace burl

@@ -118,14 +118,14 @@ template <class Pixel>
 Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& frames,
                                 const Bump& bump, const Affine3& texture_from_atlas,
                                 const Filter& filter, int threads, PrecisionKind precision,
-                                const MaskImages& masks) {
+                                const MaskImages& masks, const Economy& economy) {
     check_masks(bump.input, GraphOutput::color, masks, solid.size);
     const NormalEncoder<Pixel> encode{};
     const GraphEvaluator evaluate(bump.input, filter, precision);
     const BumpShade shade(solid, frames, bump, texture_from_atlas);
     Image<Pixel> image(solid.size, solid.size, encode({0.0, 0.0, 1.0}));
     fill_texels(solid, texture_from_atlas, evaluate, filter, shade, encode, threads, RowBand(image),
-                {}, masks);
+                economy, masks);
     return image;
 }
 
@@ -150,12 +150,12 @@ FrameMaps frame_maps(const SolidAtlas& solid, const ShadingFrames& frames, int t
 
 template Image<Rgb8> synthesize_normals(const SolidAtlas&, const ShadingFrames&, const Bump&,
                                         const Affine3&, const Filter&, int, PrecisionKind,
-                                        const MaskImages&);
+                                        const MaskImages&, const Economy&);
 template Image<Rgb16> synthesize_normals(const SolidAtlas&, const ShadingFrames&, const Bump&,
                                          const Affine3&, const Filter&, int, PrecisionKind,
-                                         const MaskImages&);
+                                         const MaskImages&, const Economy&);
 template Image<RgbF> synthesize_normals(const SolidAtlas&, const ShadingFrames&, const Bump&,
                                         const Affine3&, const Filter&, int, PrecisionKind,
-                                        const MaskImages&);
+                                        const MaskImages&, const Economy&);
 
 }  // namespace burl

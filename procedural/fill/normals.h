@@ -30,13 +30,14 @@ struct ShadingFrames {
 /// texture's. Texels outside every span, and of triangles without a frame, are (0, 0, 1). `threads`
 /// 0 means all; `precision`, float32 or float64, is that of sums of noise. `masks` has an image for
 /// each mask that the height reads, else Error(unsupported) is thrown. Rgb8 and Rgb16 hold linear
-/// codes, RgbF components from -1 to 1.
+/// codes, RgbF components from -1 to 1. `economy` has a request to stop
+/// and a meter; nothing is left out.
 template <class Pixel>
 Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& frames,
                                 const Bump& bump, const Affine3& texture_from_atlas,
                                 const Filter& filter, int threads,
                                 PrecisionKind precision = PrecisionKind::float32,
-                                const MaskImages& masks = {});
+                                const MaskImages& masks = {}, const Economy& economy = {});
 
 /// The tangent frames of an atlas's texel centres, for shaders that make normal maps. A texel has a
 /// unit normal with the bitangent's sign as alpha, and a unit tangent; both are 0 outside every

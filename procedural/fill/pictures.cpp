@@ -220,7 +220,7 @@ void fill_footprints(const SolidAtlas& solid, const Affine3& map, const GraphEva
     const auto fill_rows = [&](const RowRange& range) {
         const auto queue =
             std::make_unique<FootprintQueue<Store>>(evaluate, planes, filter, reader, store);
-        for (std::size_t y = range.begin(); y != range.end(); ++y)
+        for (std::size_t y = range.begin(); y != range.end(); ++y) {
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
                 const Footprint steps{map.linear * texel.step_x, map.linear * texel.step_y};
@@ -231,6 +231,8 @@ void fill_footprints(const SolidAtlas& solid, const Affine3& map, const GraphEva
                          steps.v, 1.0},
                         steps);
             }
+            economy.count(1, solid.size);
+        }
         queue->flush();
     };
     for_row_ranges(solid.size, 16 * graph_batch_size, threads, fill_rows, economy.stop);

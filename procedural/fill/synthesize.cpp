@@ -48,6 +48,7 @@ struct RowLoop {
     const RowGroups& groups;
     const RowBand<typename Shader::Pixel>& image;
     WorkSum& work;
+    const Economy& economy;
 
     /// Fills the rows of the groups of `range`: f, colours and pixels, batch by batch.
     void operator()(const RowRange& range) const {
@@ -65,6 +66,7 @@ struct RowLoop {
                 shader.shade(*batch);
                 store(*batch, shader, image);
             }
+            economy.count(rows.end - rows.first, solid.size);
         }
         work.add(batch->streams.work += batch->corners.batch->streams.work);
     }
@@ -102,7 +104,8 @@ Image<typename Shader::Pixel> fill_rows(const SolidAtlas& solid, const Texture& 
     groups.size = rows.count();
     const RowBand band(image, rows.first);
     WorkSum work(economy.work);
-    const RowLoop<Shader> loop{solid, maps, sampler, shader, economy.skips, groups, band, work};
+    const RowLoop<Shader> loop{solid,  maps, sampler, shader, economy.skips,
+                               groups, band, work,    economy};
     for_row_ranges(groups.count(), 1, threads, loop, economy.stop);
     return image;
 }

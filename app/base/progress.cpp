@@ -1,0 +1,195 @@
+#include "app/base/progress.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <nlohmann/json.hpp>
+
+#include "app/base/messages.h"
+
+namespace burl {
+
+namespace {
+
+using std::chrono::milliseconds;
+constexpr TaskMeter::Clock::duration line_delay = milliseconds(500),
+                                     line_period = milliseconds(100),
+                                     json_period = milliseconds(500);
+constexpr TaskMeter::Clock::duration plain_period = std::chrono::seconds(10);
+/// The least share of a task, and the least seconds, whose pace says how long the rest takes.
+constexpr double least_share = 0.005, least_seconds = 0.3;
+
+/// The seconds left of the task under way; none: not known. What was expected gives way to the pace
+/// over the first fifth, as a task may have something to prepare.
+std::optional<double> left_of_task(const TaskMeter::Reading& reading, const ExpectedTask& task) {
+    const double share = reading.share();
+    const bool has_pace = share >= least_share && reading.seconds >= least_seconds;
+    if (!has_pace && !task.seconds) return std::nullopt;
+    const double by_pace = has_pace ? reading.seconds * (1.0 - share) / share : 0.0;
+    if (!task.seconds) return by_pace;
+    const double as_expected = std::max(0.0, *task.seconds - reading.seconds);
+    const double weight = has_pace ? std::min(1.0, 5.0 * share) : 0.0;
+    return weight * by_pace + (1.0 - weight) * as_expected;
+}
+
+std::optional<double> left_of_round(const TaskMeter::Reading& reading,
+                                    const std::vector<ExpectedTask>& expected) {
+    const auto found = std::ranges::find(expected, reading.task, &ExpectedTask::task);
+    if (found == expected.end()) return std::nullopt;
+    const double texels = reading.texel_seconds;
+    ExpectedTask now = *found;
+    if (now.seconds && texels > 0.0) *now.seconds += now.times_texels * texels;
+    std::optional<double> left = left_of_task(reading, now);
+    if (!left) return left;
+    const double first = texels > 0.0 ? texels : reading.seconds + *left;
+    for (auto later = found + 1; later != expected.end(); ++later)
+        *left += later->seconds.value_or(0.0) + later->times_texels * first;
+    return left;
+}
+
+std::string duration_text(double seconds) {
+    const auto whole = std::uint64_t(std::ceil(seconds));
+    if (whole < 100) return fmt::format("{} s", whole);
+    if (whole < 6000) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+/// A number's three leading digits, with the unit's prefix.
+std::string rate_text(double per_second) {
+    return per_second < 1e6 ? fmt::format("{:.3g} ktexel/s", per_second / 1e3)
+                            : fmt::format("{:.3g} Mtexel/s", per_second / 1e6);
+}
+
+}  // namespace
+
+ProgressMode progress_mode(std::string_view word, bool quiet) {
+    const auto* const found = std::ranges::find(progress_modes, word);
+    const auto mode = ProgressMode(found - progress_modes.begin());
+    if (mode != ProgressMode::automatic) return mode;
+    if (quiet) return ProgressMode::none;
+    return ::isatty(STDERR_FILENO) == 1 ? ProgressMode::line : ProgressMode::plain;
+}
+
+TimeLeft time_left(const TaskMeter::Reading& reading, const std::vector<ExpectedTask>& expected) {
+    std::optional<double> left = left_of_round(reading, expected);
+    const auto after = double(reading.rounds - reading.round - 1);
+    if (reading.round > 0) {
+        const double mean = reading.earlier_seconds / double(reading.round);
+        left = left.value_or(std::max(0.0, mean - reading.round_seconds)) + after * mean;
+    } else if (after > 0.0 && left) {
+        left = *left + after * (reading.round_seconds + *left);
+    }
+    if (!left) return {};
+    const double spent = reading.earlier_seconds + reading.round_seconds;
+    return {left, spent + *left > 0.0 ? spent / (spent + *left) : 0.0};
+}
+
+std::string progress_text(const ProgressState& state) {
+    std::string text;
+    if (state.of > 1) text += fmt::format("{} of {}, ", state.number + 1, state.of);
+    if (!state.item.empty()) text += state.item + ": ";
+    text += state.task;
+    if (state.rounds > 1) text += fmt::format(", frame {} of {}", state.round + 1, state.rounds);
+    if (state.share > 0.0) text += fmt::format(", {:.0f} %", std::floor(100.0 * state.share));
+    if (state.texels_per_second) text += ", " + rate_text(*state.texels_per_second);
+    if (state.seconds_left) text += fmt::format(", {} left", duration_text(*state.seconds_left));
+    return text;
+}
+
+std::string progress_json(const ProgressState& state) {
+    const auto number = [](const std::optional<double>& value) {
+        return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+    };
+    return nlohmann::ordered_json{
+        {"task", state.task},         {"item", state.item},
+        {"number", state.number + 1}, {"of", state.of},
+        {"frame", state.round + 1},   {"frames", state.rounds},
+        {"share", state.share},       {"texels_per_second", number(state.texels_per_second)},
+        {"seconds", state.seconds},   {"seconds_left", number(state.seconds_left)}}
+        .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+Progress::Progress(ProgressMode mode) : mode_(mode) {
+    if (mode_ != ProgressMode::none)
+        thread_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+}
+
+Progress::~Progress() {
+    stop();
+}
+
+/// Ends the thread and clears the line.
+void Progress::stop() {
+    if (!thread_.joinable()) return;
+    thread_.request_stop();
+    thread_.join();
+    if (mode_ == ProgressMode::line) show_status("");
+}
+
+void Progress::begin_item(const std::string& name, std::size_t number, std::size_t of,
+                          std::string_view task) {
+    const std::lock_guard lock(mutex_);
+    item_ = name, number_ = number, of_ = of;
+    expected_.clear();
+    meter_.begin_round(0, 1);
+    meter_.begin(task);
+}
+
+void Progress::expect(std::vector<ExpectedTask> tasks) {
+    const std::lock_guard lock(mutex_);
+    expected_ = std::move(tasks);
+}
+
+void Progress::finish() {
+    stop();
+    if (mode_ != ProgressMode::json) return;
+    meter_.begin("done");
+    ProgressState last = state();
+    last.share = 1.0, last.seconds_left = 0.0;
+    warn(progress_json(last));
+}
+
+/// The state now, which counts as told.
+ProgressState Progress::state() {
+    const std::lock_guard lock(mutex_);
+    const TaskMeter::Reading reading = meter_.read();
+    const TimeLeft left = time_left(reading, expected_);
+    ProgressState state{item_,         number_,       of_, std::string(reading.task),
+                        reading.round, reading.rounds};
+    state.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    share_ = std::max(share_, (double(number_) + left.share) / double(of_));
+    state.share = share_;
+    if (of_ == 1)
+        state.seconds_left = left.seconds;
+    else if (share_ > 0.0)
+        state.seconds_left = state.seconds * (1.0 - share_) / share_;
+    if (reading.counts_texels && reading.done > 0 && reading.seconds > 0.0)
+        state.texels_per_second = double(reading.done) / reading.seconds;
+    return state;
+}
+
+/// Tells the state as often as the mode says, until the program has something else to say.
+void Progress::watch(const std::stop_token& stop) {
+    const Clock::duration period = mode_ == ProgressMode::plain ? plain_period : line_period;
+    Clock::time_point next = start_ + (mode_ == ProgressMode::line ? line_delay : period), told{};
+    std::uint64_t task = 0;
+    for (;; next = Clock::now() + period) {
+        std::unique_lock lock(mutex_);
+        changed_.wait_until(lock, stop, next, [] { return false; });
+        lock.unlock();
+        if (stop.stop_requested()) return;
+        const std::uint64_t number = meter_.read().number;
+        if (number == 0) continue;
+        if (mode_ == ProgressMode::line) show_status(progress_text(state()));
+        if (mode_ == ProgressMode::plain) warn("burl: " + progress_text(state()));
+        if (mode_ != ProgressMode::json) continue;
+        if (number == task && Clock::now() - told < json_period) continue;
+        task = number, told = Clock::now();
+        warn(progress_json(state()));
+    }
+}
+
+}  // namespace burl
