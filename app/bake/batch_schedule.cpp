@@ -82,14 +82,17 @@ void run_jobs(std::span<const QueuedJob> jobs, int workers, std::uint64_t budget
     queue.work();
 }
 
+// The factors are those of docs/lab/batch.md, rounded up.
 std::uint64_t bytes_held(const BakeJob& job) {
     const AtlasOptions& atlas = job.recipe().atlas;
+    const std::string& mesh = job.command().mesh;
     const std::uint64_t texels = std::uint64_t(atlas.columns()) * atlas.rows();
-    const std::uint64_t mesh =
-        is_sample_mesh(job.command().mesh) ? 1U << 20U : file_bytes(job.command().mesh);
-    const auto pictures = std::uint64_t(job.outputs().size()) + 2;
-    const std::uint64_t per_texel = job.command().levels.empty() ? 8 : 24;
-    return (std::uint64_t(48) << 20U) + 16 * mesh + per_texel * pictures * texels;
+    const bool in_text = mesh.ends_with(".obj") || mesh.ends_with(".off");
+    const std::uint64_t shape = is_sample_mesh(mesh) ? 0 : (in_text ? 16 : 32) * file_bytes(mesh);
+    const std::uint64_t pictures = job.pictures();
+    const bool in_floats = !job.command().levels.empty() || job.command().out.ends_with(".exr");
+    const std::uint64_t per_texel = !in_floats ? 7 * pictures : pictures == 1 ? 16 : 32 * pictures;
+    return (std::uint64_t(40) << 20U) + shape + per_texel * texels;
 }
 
 std::uint64_t memory_size(const std::string& text) {

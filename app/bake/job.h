@@ -32,6 +32,8 @@ class BakeJob {
     void tell(Progress* progress) { command_.told = progress; }
     /// The recipe of the first frame.
     const Recipe& recipe() const { return recipes_->front(); }
+    /// The number of pictures of the texture or material, without MIP levels and masks.
+    std::size_t pictures() const;
     /// All files that are read, or that the mesh's file names.
     const std::vector<std::string>& inputs() const { return inputs_; }
     /// All files that will be written, except reports and the record. (Strip atlases may have fewer

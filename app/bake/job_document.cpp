@@ -21,6 +21,10 @@ std::vector<std::string> BakeJob::paths_of(const std::string& out, std::uint32_t
                         plan_.material().rough_levels(), plan_.coding.format);
 }
 
+std::size_t BakeJob::pictures() const {
+    return 1 + picture_names(recipes_of_atlas(), plan_.material()).size() + (has_normals() ? 1 : 0);
+}
+
 /// The files of a document with several atlases: those of the document, then each atlas's pictures.
 std::vector<std::string> BakeJob::document_outputs(std::uint32_t levels) const {
     const bool has_buffer = paths_of(command_.out, 0).size() > 1;  // .gltf, whose second is .bin

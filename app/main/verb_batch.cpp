@@ -26,7 +26,6 @@
 #include "app/main/verbs.h"
 #include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
-#include "atlas/file/file_extension.h"
 
 namespace burl {
 
@@ -43,7 +42,7 @@ struct BatchCommand {
     BakeCommand run;       ///< options of add_run_options and add_report_options only
 
     bool is_manifest() const {
-        return what.size() == 1 && (what[0] == "-" || lower_extension(what[0]) == ".json");
+        return what.size() == 1 && (what[0] == "-" || what[0].ends_with(".json"));
     }
     /// The name of what lists the bakes, in messages.
     std::string name() const { return is_manifest() ? what.front() : "batch"; }

@@ -65,7 +65,7 @@ TEST_F(BatchMatrixRun, ShardsAndWorkersGiveTheSameBytes) {
             ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         }
         for (const auto& [name, bytes] : files_in(folder)) EXPECT_EQ(bytes, all.at(name)) << name;
-        if (shards <= 20) EXPECT_EQ(files_in(folder).size(), all.size());
+        EXPECT_TRUE(shards > 20 || files_in(folder).size() == all.size()) << shards;
     }
 }
 
