@@ -43,19 +43,6 @@ void tell_shortage(const BakePlan& plan, const Mesh& mesh, const AtlasOptions& a
         tell(plan, mesh, shortage(capacity(mesh.triangles.size(), atlas)));
 }
 
-/// Tells what texture coordinates cannot show.
-void tell_uv_losses(const BakePlan& plan, const Mesh& mesh, const LayoutNotes& notes) {
-    if (notes.overlapped_texels > 0)
-        tell(plan, mesh,
-             fmt::format("{} triangles share {} texels, which show the first of them",
-                         notes.overlapping_triangles, notes.overlapped_texels));
-    if (notes.flat_triangles > 0)
-        tell(plan, mesh,
-             fmt::format("{} of {} triangles have no texture coordinates, or no area in them, and "
-                         "show what is at their corners",
-                         notes.flat_triangles, mesh.triangles.size()));
-}
-
 /// Tells what comes next, at a share of the frame `number`. Throws Error where the bake is to stop.
 void go_on(const BakePlan& plan, std::size_t number, const char* next, double share) {
     if (plan.stop.stop_requested())
@@ -85,6 +72,20 @@ int threads_of(const BakePlan& plan) {
     const auto most =
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     return plan.threads > 0 ? std::min(plan.threads, int(most)) : tbb::task_arena::automatic;
+}
+
+/// The recipe of a shared atlas as its document's material needs it.
+ExportShare export_share(const Recipe& recipe, const BakePlan& plan, const MaterialAsked& asked,
+                         const std::vector<ExportPicture>& pictures) {
+    ExportShare share{recipe.name, to_json(recipe), material_factors(recipe, asked.rough_levels()),
+                      is_transparent(recipe),
+                      plan.normals != NormalSpace::none && !recipe.bump.empty()};
+    share.slots.resize(pictures.size());
+    for (MaterialPicture& one : material_pictures(recipe, plan.packing, asked.rough_levels())) {
+        const auto at = std::ranges::find(pictures, one.name, &ExportPicture::name);
+        share.slots[std::size_t(at - pictures.begin())] = std::move(one.slots);
+    }
+    return share;
 }
 
 ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose) {
@@ -121,7 +122,7 @@ std::uint64_t bytes_to_encode(const BakedImage& color, const ExportOptions& opti
 
 std::optional<NormalMap> bake_normals(Pipeline& pipeline, const BakePlan& plan,
                                       const BakedMaterial& material) {
-    auto map = bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees);
+    auto map = bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees, plan.sharing);
     if (map) add_levels(*map, material.normal_levels);
     if (map && plan.normals_down) turn_green(*map);
     return map;
@@ -176,14 +177,15 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     const std::string& path = plan.paths[number];
     const ImageKind kind = plan.kind;
     MaterialAsked asked = plan.material();
-    const bool pictures = has_pictures(pipeline.recipe(), plan.packing, asked.rough_levels());
+    const bool pictures = !plan.sharing.empty() ||
+                          has_pictures(pipeline.recipe(), plan.packing, asked.rough_levels());
     if (pictures) asked.levels = levels_there_are(pipeline, plan.levels, kind).count;
     if (kind == ImageKind::rgb_float && pictures)
         return files_of_material(pipeline, plan, path, asked, result);
     if (kind == ImageKind::rgb_float && !plan.compress && comes_in_bands(pipeline, plan.levels))
         return files_in_bands(pipeline, plan, path, result);
     BakedMaterial material;
-    if (pictures) material = bake_material(pipeline, asked);
+    if (pictures) material = bake_material(pipeline, asked, plan.sharing);
     BakedTexture texture =
         pictures ? BakedTexture{std::move(material.color), std::move(material.color_levels)}
                  : bake_texture(pipeline, kind, plan.levels);
@@ -199,6 +201,10 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     options.normals = std::move(normals);
     options.material = material_factors(pipeline.recipe(), asked.rough_levels());
     options.pictures = std::move(material.pictures);
+    for (const Recipe& recipe : plan.sharing) {
+        if (&recipe != &plan.sharing.front()) options.recipe_name += '+' + recipe.name;
+        options.shares.push_back(export_share(recipe, plan, asked, options.pictures));
+    }
     cut_to_extent(pipeline.atlas().options, result.texture.image, options);
     options.coding = plan.coding;
     options.coding.meter = plan.meter;
@@ -263,6 +269,19 @@ void commit(std::vector<AtomicFile>& files, BakeResult& result) {
 
 }  // namespace
 
+std::vector<std::string> uv_losses(const Mesh& mesh, const LayoutNotes& notes) {
+    std::vector<std::string> losses;
+    if (notes.overlapped_texels > 0)
+        losses.push_back(fmt::format("{} triangles share {} texels, which show the first of them",
+                                     notes.overlapping_triangles, notes.overlapped_texels));
+    if (notes.flat_triangles > 0)
+        losses.push_back(
+            fmt::format("{} of {} triangles have no texture coordinates, or no area in them, and "
+                        "show what is at their corners",
+                        notes.flat_triangles, mesh.triangles.size()));
+    return losses;
+}
+
 BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, LaterBake later) {
     BakeResult result;
     result.levels.rule = plan.levels.rule;
@@ -278,15 +297,15 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     if (plan.meter) plan.meter->begin_round(0, plan.paths.size());
     tell_shortage(plan, mesh, recipe.atlas, nullptr);
     go_on(plan, 0, tasks::layout, 0.0);
-    const Connectivity& edges = stages.connectivity.run(context, mesh);
+    const Connectivity& edges = pipeline.connectivity();
     const MeshAtlas* made = stages.layout.run(context, mesh, edges, recipe.atlas, plan.stop);
     go_on(plan, 0, tasks::points, 0.25);
     const MeshAtlas& atlas = *made;
     tell(plan, mesh, atlas.atlas().notes.fallback);
-    tell_uv_losses(plan, mesh, atlas.atlas().notes);
+    for (const std::string& loss : uv_losses(mesh, atlas.atlas().notes)) tell(plan, mesh, loss);
     tell_shortage(plan, mesh, recipe.atlas, &atlas);
     if (later == LaterBake::none) stages.connectivity.release_neighbours();
-    const SolidAtlas& points = stages.solid.run(context, mesh, atlas, recipe.solid.space);
+    const SolidAtlas& points = pipeline.solid();
     if (plan.measures) result.metrics = measure(atlas.mesh(mesh), atlas.atlas(), points);
     if (mesh.triangles.size() > many_triangles) return_freed_memory();
 

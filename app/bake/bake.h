@@ -23,6 +23,9 @@ struct BakePlan {
     /// The recipe of the path of that number; all have one atlas and one solid space. It is asked
     /// for when its frame is due, so that a long animation need not be in memory at once.
     std::function<Recipe(std::size_t)> recipe{};
+    /// The recipes of the pipeline's labels, where several share the atlas of a document that is
+    /// kept; the first is that of `recipe`. Empty: there is one.
+    std::vector<Recipe> sharing{};
     /// Is told, before the work, of an atlas that is too small or not of the kind asked for; empty:
     /// nobody is.
     std::function<void(const std::string&)> tell{};
@@ -79,6 +82,9 @@ struct BakeResult {
     std::vector<std::string> lost{};  ///< what of the mesh's document the output does not hold
     double writing = 0.0;             ///< seconds spent on files rather than on stages
 };
+
+/// Sentences on what texture coordinates cannot show.
+std::vector<std::string> uv_losses(const Mesh& mesh, const LayoutNotes& notes);
 
 /// Bakes the pipeline's mesh and writes the plan's files; if `pose` is not null, the mesh is
 /// exported in that pose. All files of a frame are committed together or not at all. Memory that a

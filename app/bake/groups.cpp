@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <set>
-#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,11 +32,11 @@ std::vector<Assignment> assignments_of(const BakeCommand& command) {
     return result;
 }
 
-/// The primitives that share an atlas.
-struct Share {
-    int recipe = -1;  ///< an index into the assignments; -1: --recipe
+/// The primitives that share an atlas, by the number of their recipe: an index into the
+/// assignments; -1: --recipe.
+struct AtlasShares {
     std::string name;
-    std::vector<std::array<int, 2>> primitives{};
+    std::map<int, std::vector<std::array<int, 2>>> primitives{};
 };
 
 /// The recipe for a material; none where it stays as it is.
@@ -62,32 +63,68 @@ void check_assignments(const BakeCommand& command, const std::vector<Assignment>
     }
 }
 
-std::vector<Share> shares_of(const BakeCommand& command, const std::vector<Assignment>& assigned) {
+/// The name of the atlas that a primitive with the recipe goes to: primitives of one atlas have the
+/// same key and name.
+std::pair<std::string, std::string> atlas_of(const BakeCommand& command,
+                                             const std::vector<Assignment>& assigned,
+                                             const GltfPrimitive& one, int recipe) {
+    if (command.atlas_per == "mesh") return {std::to_string(one.mesh), one.mesh_name};
+    if (command.atlas_per == "material") return {one.material_name, one.material_name};
+    if (command.atlas_per == "scene") return {"", ""};
+    return {std::to_string(recipe),
+            recipe < 0 ? command.recipe.recipe : assigned[std::size_t(recipe)].recipe};
+}
+
+/// The atlases, in the order of their first primitives.
+std::vector<AtlasShares> atlases_of(const BakeCommand& command,
+                                    const std::vector<Assignment>& assigned) {
     const std::vector<GltfPrimitive> primitives =
         chosen_gltf_primitives(read_file(command.mesh), command.meshes.read);
     check_assignments(command, assigned, primitives);
-    std::vector<Share> shares;
-    std::vector<std::tuple<int, std::string, int>> keys;
+    std::vector<AtlasShares> atlases;
+    std::vector<std::string> keys;
     for (const GltfPrimitive& one : primitives) {
         const auto recipe =
             recipe_for(one.material_name, assigned, assigned.empty() || command.recipe_given);
         if (!recipe) continue;
-        const bool by_mesh = command.atlas_per == "mesh",
-                   by_material = command.atlas_per == "material";
-        const std::string name = by_mesh       ? one.mesh_name
-                                 : by_material ? one.material_name
-                                 : *recipe < 0 ? command.recipe.recipe
-                                               : assigned[std::size_t(*recipe)].recipe;
-        const std::tuple key(*recipe, by_material ? name : "", by_mesh ? one.mesh : -1);
+        auto [key, name] = atlas_of(command, assigned, one, *recipe);
         const auto known = std::ranges::find(keys, key);
         const auto number = std::size_t(known - keys.begin());
         if (known == keys.end()) {
-            keys.push_back(key);
-            shares.push_back({*recipe, name});
+            keys.push_back(std::move(key));
+            atlases.push_back({std::move(name)});
         }
-        shares[number].primitives.push_back({one.mesh, one.primitive});
+        atlases[number].primitives[*recipe].push_back({one.mesh, one.primitive});
     }
-    return shares;
+    return atlases;
+}
+
+/// The recipe number `recipe` of the command: --set changes that of --recipe alone.
+RecipeOptions recipe_options(const BakeCommand& command, const std::vector<Assignment>& assigned,
+                             int recipe) {
+    RecipeOptions options = command.recipe;
+    if (recipe < 0) return options;
+    options.recipe = assigned[std::size_t(recipe)].recipe;
+    options.settings.clear();
+    return options;
+}
+
+/// The bake of an atlas.
+BakeGroup group_of(const BakeCommand& command, const std::vector<Assignment>& assigned,
+                   const AtlasShares& atlas) {
+    BakeGroup group{command, command.out};
+    group.command.assigned.clear();
+    group.command.atlas_per = "scene";
+    std::vector<std::array<int, 2>>& only = group.command.meshes.read.choice.only;
+    only.clear();
+    for (const auto& [recipe, primitives] : atlas.primitives) {
+        group.shares.push_back({recipe_options(command, assigned, recipe), primitives});
+        only.insert(only.end(), primitives.begin(), primitives.end());
+    }
+    std::ranges::sort(only);
+    group.command.recipe = group.shares.front().recipe;
+    if (group.shares.size() == 1) group.shares.clear();
+    return group;
 }
 
 /// The name as a part of a file's: without folders and extension, in letters that need no care.
@@ -129,21 +166,15 @@ std::vector<BakeGroup> groups_of(const BakeCommand& command) {
     check_options(command);
     const std::vector<Assignment> assigned = assignments_of(command);
     if (assigned.empty() && command.atlas_per == "scene") return {{command, command.out}};
-    const std::vector<Share> shares = shares_of(command, assigned);
-    if (shares.empty())
+    const std::vector<AtlasShares> atlases = atlases_of(command, assigned);
+    if (atlases.empty())
         throw Error(ExitCode::usage, fmt::format("{}: nothing is left to carve", command.mesh));
     std::vector<BakeGroup> groups;
     std::set<std::string> taken;
-    for (const Share& share : shares) {
-        BakeGroup& group = groups.emplace_back(BakeGroup{command, command.out});
-        group.command.assigned.clear();
-        group.command.atlas_per = "scene";
-        group.command.meshes.read.choice.only = share.primitives;
-        if (share.recipe >= 0) {
-            group.command.recipe.recipe = assigned[std::size_t(share.recipe)].recipe;
-            group.command.recipe.settings.clear();
-        }
-        if (shares.size() > 1) group.pictures = pictures_of(command.out, share.name, taken);
+    for (const AtlasShares& atlas : atlases) {
+        groups.push_back(group_of(command, assigned, atlas));
+        if (atlases.size() > 1)
+            groups.back().pictures = pictures_of(command.out, atlas.name, taken);
     }
     return groups;
 }

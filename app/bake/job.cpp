@@ -20,7 +20,6 @@
 #include "app/base/version.h"
 #include "app/export/command_files.h"
 #include "app/export/formats.h"
-#include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
 #include "app/options/metres.h"
 #include "app/pipeline/fill_texture.h"
@@ -51,15 +50,6 @@ Kernel kernel_named(const std::string& name) {
     return found == kernel_names.end() ? Kernel::automatic : found->kernel;
 }
 
-/// The recipes of all frames, for the reference kernel if the command asks for it.
-std::shared_ptr<const std::vector<Recipe>> recipes_of(const BakeCommand& command) {
-    std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
-    command.recipe_losses();
-    if (command.kernel == reference_kernel)
-        std::for_each(recipes.begin(), recipes.end(), apply_reference);
-    return std::make_shared<const std::vector<Recipe>>(std::move(recipes));
-}
-
 /// The files of the mesh, the pose and the recipe.
 std::vector<std::string> files_read(const BakeCommand& command, const Recipe& recipe) {
     std::vector<std::string> files = files_of_mesh(command.mesh);
@@ -69,9 +59,11 @@ std::vector<std::string> files_read(const BakeCommand& command, const Recipe& re
     return files;
 }
 
-/// The plan of the command. Throws Error if an option is wrong or the recipe cannot be read.
+/// The plan of the command; `sharing` are the recipes that share the atlas, if several do. Throws
+/// Error if an option is wrong.
 BakePlan plan_of(const BakeCommand& command,
-                 const std::shared_ptr<const std::vector<Recipe>>& recipes) {
+                 const std::shared_ptr<const std::vector<Recipe>>& recipes,
+                 const std::vector<Recipe>& sharing) {
     BakePlan plan;
     plan.kind = wanted_kind(command.out, command.bits());
     plan.paths = frame_paths(command.out, command.animation);
@@ -88,7 +80,9 @@ BakePlan plan_of(const BakeCommand& command,
     const std::string& normals =
         (plan.displaces || command.vertex_colors) && command.normals.empty() ? "none"
                                                                              : command.normals;
-    plan.normals = normals_asked(normals, first, command.out);
+    const auto bumpy =
+        std::ranges::find_if(sharing, [](const Recipe& recipe) { return !recipe.bump.empty(); });
+    plan.normals = normals_asked(normals, bumpy == sharing.end() ? first : *bumpy, command.out);
     plan.normals_down = command.normal_y == "-";
     plan.packing = packing_asked(command.packing, command.out);
     plan.compress = command.compress;
@@ -101,25 +95,14 @@ BakePlan plan_of(const BakeCommand& command,
     return plan;
 }
 
-/// The options of --synth gl-multipass. Throws Error(usage) where one is given without it.
-MultipassOptions multipass_options(const BakeCommand& command) {
-    const std::string given = !command.gl_precision.empty()    ? "--gl-precision"
-                              : !command.gl_randomizer.empty() ? "--gl-randomizer"
-                              : command.gl_equalize            ? "--gl-equalize"
-                                                               : "";
-    if (command.synth != multipass_synth && !given.empty())
-        throw Error(ExitCode::usage, fmt::format("{} is of --synth {}; add that or leave it out",
-                                                 given, multipass_synth));
-    MultipassOptions options;
-    if (command.gl_precision == "16f") options.precision = PassPrecision::float16;
-    if (command.gl_precision == "8") options.precision = PassPrecision::fixed8;
-    if (command.gl_randomizer == "table") options.randomizer = Randomizer::table;
-    if (command.gl_randomizer == "bits") options.randomizer = Randomizer::bits;
-    options.equalize = command.gl_equalize;
-    return options;
-}
-
 }  // namespace
+
+std::shared_ptr<const std::vector<Recipe>> frames_of(const BakeCommand& command) {
+    std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
+    command.recipe_losses();
+    if (command.kernel == reference_kernel) std::ranges::for_each(recipes, apply_reference);
+    return std::make_shared<const std::vector<Recipe>>(std::move(recipes));
+}
 
 BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
     : BakeJob(groups_of(command), settings) {}
@@ -127,11 +110,16 @@ BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
 BakeJob::BakeJob(std::vector<BakeGroup> groups, const Json& settings)
     : command_(groups.front().command),
       pictures_(groups.front().pictures),
-      recipes_(recipes_of(command_)),
-      plan_(plan_of(command_, recipes_)),
+      shares_(groups.front().shares),
+      recipes_(frames_of(command_)),
+      sharing_(load_shares()),
+      plan_(plan_of(command_, recipes_, sharing_)),
       inputs_(files_read(command_, recipe())) {
     if (recipe().atlas.kind == AtlasKind::uv)
         command_.meshes.read.uv_set = command_.uv_set.value_or(0);
+    for (std::size_t i = 1; i < shares_.size(); ++i)
+        std::ranges::move(files_of_recipe(shares_[i].recipe.recipe, sharing_[i]),
+                          std::back_inserter(inputs_));
     for (std::size_t g = 1; g < groups.size(); ++g) {
         others_.push_back(BakeJob({groups[g]}, settings));
         std::ranges::copy(others_.back().inputs_, std::back_inserter(inputs_));
@@ -188,17 +176,8 @@ void BakeJob::check() const {
             "--pose moves the whole mesh, and a choice of its parts some of it; leave one of "
             "the two out");
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
+    check_shares();
     check_idle();
-}
-
-/// The option that works for a texture alone, not for the pictures of a material; empty: none.
-std::string BakeJob::not_of(const Recipe& recipe) const {
-    if (plan_.levels.rule.direct) return "--level-rule direct";
-    if (command_.compress) return "--compress";
-    if (command_.synth != "host") return "--synth " + command_.synth;
-    if (recipe.precision.kind == PrecisionKind::fixed) return "--precision fixed";
-    const bool any = command_.kernel == "auto" || command_.kernel == reference_kernel;
-    return any ? "" : "--kernel " + command_.kernel;
 }
 
 /// Throws Error(usage) if an option would have no effect.
@@ -220,7 +199,7 @@ void BakeJob::check_idle() const {
         refuse("--normal-y -", "the green of MaterialX's normals points up");
     if (!command_.packing.empty() && plan_.kind == ImageKind::rgb_float)
         refuse("--pack", "an .exr has a layer per channel");
-    if (!command_.packing.empty() && picture_names(recipe(), plan_.material()).empty())
+    if (!command_.packing.empty() && picture_names(recipes_of_atlas(), plan_.material()).empty())
         refuse("--pack", "nothing but the recipe's colour varies");
     if (command_.crease && !mesh && !normals) refuse("--crease", "a texture alone has no normals");
     const auto why_no_kernel = [kernel = kernel_named(command_.kernel)](const Recipe& recipe) {
@@ -237,38 +216,22 @@ void BakeJob::check_idle() const {
     check_edits(command_.recipe, recipe(), command_.animation.keys);
 }
 
-// OpenGL gives the bits of the kernels `direct` and `share`, so it takes no other kernel.
-std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
-    const std::string &kernel = command_.kernel, &synth = command_.synth;
-    const bool any = kernel == "auto" || kernel == "direct" || kernel == "share";
-    const MultipassOptions multipass = multipass_options(command_);
-    if (!any && synth.starts_with("gl"))
-        throw Error(ExitCode::usage,
-                    fmt::format("--kernel {} is the host's alone; leave it or --synth {} out",
-                                kernel, synth));
-    if (synth == "host" && !command_.platform.empty())
-        throw Error(ExitCode::usage,
-                    "--gl says where OpenGL comes from, and the host makes the texture; add "
-                    "--synth gl, gl-multipass or auto, or leave --gl out");
-    const std::string platform = command_.platform.empty() ? gl_platforms()[0] : command_.platform;
-    if (synth == multipass_synth) return choose_multipass(multipass, platform, *recipes_);
-    const SynthesisChoice choice = synth == "host" || !any ? SynthesisChoice::host
-                                   : synth == "gl"         ? SynthesisChoice::gl
-                                                           : SynthesisChoice::automatic;
-    return choose_synthesizer(choice, platform, *recipes_);
-}
-
 Json BakeJob::what_it_is_made_from(const Json& settings) const {
     std::vector<std::string> files = files_of_mesh(command_.mesh, MeshFiles::read);
     if (is_pose_file(command_.pose))
         std::ranges::move(files_of_mesh(command_.pose, MeshFiles::read), std::back_inserter(files));
     std::ranges::move(images_of_recipe(command_.recipe.recipe, recipe()),
                       std::back_inserter(files));
+    for (std::size_t i = 1; i < shares_.size(); ++i)
+        std::ranges::move(images_of_recipe(shares_[i].recipe.recipe, sharing_[i]),
+                          std::back_inserter(files));
     Json made_from = {{"burl", burl_version()},
                       {"inputs", content_of(files, command_.recipe.images->digests())},
                       {"recipe", Json::parse(to_json(recipe()))},
                       {"options", settings}};
     if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
+    for (const Recipe& recipe : sharing_)
+        made_from["recipes"].push_back(Json::parse(to_json(recipe)));
     for (const BakeJob& other : others_) {
         made_from["recipes"].push_back(other.made_from_["recipe"]);
         for (const Json& input : other.made_from_["inputs"]) made_from["inputs"].push_back(input);
@@ -307,9 +270,13 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     if (pose) plan.pose_keys = pose_keys();
     if (command_.told) command_.told->expect(expected_tasks(plan, recipes[0]));
     if (command_.told) plan.meter = command_.told->meter();
-    if (kept)
+    if (kept) {
         prepare(*kept, command_.mesh, command_.meshes.read, pictures_,
                 frame_transform(command_.meshes.frame));
+        kept->labels = labels_of(kept->origins);
+        plan.sharing = shared_recipes(pipeline.mesh());
+    }
+    pipeline.set_labels(kept ? kept->labels : std::vector<std::uint32_t>());
     const MeshPose* const posed = pose ? &*pose : nullptr;
     BakeResult result = plan.vertex_colors ? bake_vertex_colors(pipeline, plan, posed)
                                            : bake(pipeline, plan, posed, later);
@@ -339,7 +306,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     Json report =
         report_of(pipeline, pipeline.recipe(), result, synthesizer.get(), std::move(seconds));
     if (!others.empty()) report["others"] = std::move(others);
-    std::vector<std::string> lost = command_.recipe_losses();
+    std::vector<std::string> lost = recipe_losses();
     std::ranges::copy(result.lost, std::back_inserter(lost));
     if (!lost.empty()) report["lost"] = lost;
     if (!result.lost.empty())
@@ -362,6 +329,7 @@ Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResu
         coverage = coverage.get<double>() / double(result.paths.size());
         report["udim_paths"] = result.paths;
     }
+    for (const Recipe& one : sharing_) report["recipes"].push_back(Json::parse(to_json(one)));
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)
         report["solid_map"] = {{"file", command_.solid_map}, {"base", {base->x, base->y, base->z}}};

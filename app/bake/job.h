@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@
 #include "app/measure/report.h"
 
 namespace burl {
+
+/// The recipes of all frames, for the reference kernel if the command asks for it.
+std::shared_ptr<const std::vector<Recipe>> frames_of(const BakeCommand& command);
 
 /// One bake, checked when it is constructed.
 class BakeJob {
@@ -61,6 +65,13 @@ class BakeJob {
                          const std::shared_ptr<KeptScene>& kept, LaterBake later) const;
     void bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& result,
                      Json& reports) const;
+    BakeCommand command_of(const BakeShare& share) const;
+    std::vector<Recipe> load_shares() const;
+    std::span<const Recipe> recipes_of_atlas() const;
+    void check_shares() const;
+    std::vector<Recipe> shared_recipes(const Mesh& mesh) const;
+    std::vector<std::uint32_t> labels_of(const GltfOrigins& origins) const;
+    std::vector<std::string> recipe_losses() const;
     bool kept_document() const;
     KeyTrack pose_keys() const;
     std::vector<std::string> losses_before() const;
@@ -84,9 +95,11 @@ class BakeJob {
     bool wants_report() const { return command_.json || !command_.report.empty(); }
 
     BakeCommand command_;
-    std::string pictures_;         ///< the path after which pictures beside a .gltf are named
-    std::vector<BakeJob> others_;  ///< further atlases of the same document
+    std::string pictures_;           ///< the path after which pictures beside a .gltf are named
+    std::vector<BakeShare> shares_;  ///< the recipes that share the atlas; empty: one
+    std::vector<BakeJob> others_;    ///< further atlases of the same document
     std::shared_ptr<const std::vector<Recipe>> recipes_;  ///< one per frame, which plan_ gives, too
+    std::vector<Recipe> sharing_;  ///< the recipes of the shares, in one atlas
     BakePlan plan_;
     std::vector<std::string> inputs_;
     Json made_from_;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/bake/shared_pictures.h"
 #include "app/bake/up_to_date.h"
 #include "app/base/messages.h"
 #include "app/export/command_files.h"
@@ -57,11 +58,21 @@ void BakeJob::check_coding() const {
         refuse(fmt::format("--size {}", recipe().atlas.size),
                fmt::format("it has at most {} pixels a side", most_pixels(format)));
     if (format != TextureFormat::jpeg || plan_.kind == ImageKind::rgb_float) return;
-    if (is_transparent(recipe())) refuse("opacity", "it has no alpha");
-    for (const MaterialPicture& picture :
-         material_pictures(recipe(), plan_.packing, plan_.material().rough_levels()))
+    if (any_transparent(recipes_of_atlas())) refuse("opacity", "it has no alpha");
+    for (const MaterialPicture& picture : shared_material_pictures(
+             recipes_of_atlas(), plan_.packing, plan_.material().rough_levels()))
         if (picture.components == 4)
             refuse(fmt::format("the picture {}", picture.name), "it has no alpha");
+}
+
+/// The option that works for a texture alone, not for the pictures of a material; empty: none.
+std::string BakeJob::not_of(const Recipe& recipe) const {
+    if (plan_.levels.rule.direct) return "--level-rule direct";
+    if (command_.compress) return "--compress";
+    if (command_.synth != "host") return "--synth " + command_.synth;
+    if (recipe.precision.kind == PrecisionKind::fixed) return "--precision fixed";
+    const bool any = command_.kernel == "auto" || command_.kernel == reference_kernel;
+    return any ? "" : "--kernel " + command_.kernel;
 }
 
 /// Warns of 16 bits in a glTF.

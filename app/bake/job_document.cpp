@@ -16,7 +16,8 @@
 namespace burl {
 
 std::vector<std::string> BakeJob::paths_of(const std::string& out, std::uint32_t levels) const {
-    return output_paths(out, levels, has_normals(), picture_names(recipe(), plan_.material()),
+    return output_paths(out, levels, has_normals(),
+                        picture_names(recipes_of_atlas(), plan_.material()),
                         plan_.material().rough_levels(), plan_.coding.format);
 }
 
@@ -66,6 +67,14 @@ void BakeJob::bake_others(const std::shared_ptr<KeptScene>& kept, BakeResult& re
         result.committed.insert(result.committed.end(), one.committed.begin(), one.committed.end());
         result.lost = one.lost;
     }
+}
+
+/// Everything that the recipes' documents say and the recipes do not hold.
+std::vector<std::string> BakeJob::recipe_losses() const {
+    std::vector<std::string> losses = command_.recipe_losses();
+    for (std::size_t i = 1; i < shares_.size(); ++i)
+        std::ranges::move(command_of(shares_[i]).recipe_losses(), std::back_inserter(losses));
+    return losses;
 }
 
 /// Says what of the mesh's document the output does not hold; with --strict, before the bake.

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "app/bake/shared_pictures.h"
 #include "app/image/exr_layers.h"
-#include "app/paint/texture.h"
 #include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
 #include "atlas/build/alpha_levels.h"
@@ -35,33 +35,21 @@ PictureImage packed(Image<Rgba<Code>> image, std::size_t components) {
     return converted<Code>(image, [](const Rgba<Code>& p) { return p.r; });
 }
 
-std::vector<PicturePlan> plans_of(const Recipe& recipe,
-                                  const std::vector<MaterialPicture>& wanted) {
-    std::vector<PicturePlan> plans{base_color_plan(recipe)};
-    for (const MaterialPicture& one : wanted) plans.push_back(one.plan);
-    return plans;
-}
-
-/// Paints over an opaque colour.
-void paint(Pipeline& pipeline, Image<RgbaF>& color) {
-    auto opaque = converted<RgbF>(color, [](const RgbaF& p) { return RgbF{p.r, p.g, p.b}; });
-    paint_over(pipeline.solid(), pipeline.recipe().paint, pipeline.context().way.threads, opaque);
-    color = converted<RgbaF>(opaque, [](const RgbF& p) { return RgbaF{p.r, p.g, p.b, 1.0f}; });
+/// The recipes that share the pipeline's atlas: its own where none are given.
+std::span<const Recipe> all_of(const Pipeline& pipeline, std::span<const Recipe> recipes) {
+    return recipes.empty() ? std::span(&pipeline.recipe(), 1) : recipes;
 }
 
 template <class Code>
-BakedMaterial bake(Pipeline& pipeline, const std::vector<MaterialPicture>& wanted) {
-    const Recipe& recipe = pipeline.recipe();
-    std::vector<Image<Rgba<Code>>> images = pipeline.pictures<Rgba<Code>>(plans_of(recipe, wanted));
+BakedMaterial bake(Pipeline& pipeline, const MaterialAsked& asked, std::span<const Recipe> recipes,
+                   const std::vector<MaterialPicture>& wanted) {
+    std::vector<Image<Rgba<Code>>> images =
+        shared_pictures<Rgba<Code>>(pipeline, recipes, wanted, asked.packing, asked.rough_levels());
     BakedMaterial material;
-    if (is_transparent(recipe)) {
+    if (any_transparent(recipes))
         material.color = std::move(images[0]);
-    } else {
-        Image<Rgb<Code>> color = without_alpha(images[0]);
-        images[0] = {};
-        paint_over(pipeline.solid(), recipe.paint, pipeline.context().way.threads, color);
-        material.color = std::move(color);
-    }
+    else
+        material.color = without_alpha(images[0]);
     for (std::size_t i = 0; i < wanted.size(); ++i)
         material.pictures.push_back({wanted[i].name,
                                      packed(std::move(images[i + 1]), wanted[i].components),
@@ -94,15 +82,16 @@ void set_roughness(FloatLevels& levels, const std::vector<NormalLevel>& normals,
 
 /// The levels of the normal map with the roughness of a picture, which gets theirs.
 std::vector<NormalLevel> levels_with_normals(Pipeline& pipeline, const MaterialAsked& asked,
+                                             std::span<const Recipe> recipes,
                                              const MaterialPicture& picture, FloatLevels& levels) {
     const std::size_t c = *picture.roughness;
     const float sign = std::signbit(picture.plan.components[c].factor) ? -1.0f : 1.0f;
     const auto offset = float(picture.plan.components[c].offset);
     const auto roughness = converted<float>(
         levels[0], [&](const RgbaF& pixel) { return sign * (component(pixel, c) - offset); });
+    const Image<RgbF> map = shared_normals<RgbF>(pipeline, recipes, asked.crease_degrees, true);
     std::vector<NormalLevel> normals =
-        normal_levels(pipeline.mesh_atlas(), pipeline.normal_map<RgbF>(asked.crease_degrees, true),
-                      roughness, asked.levels);
+        normal_levels(pipeline.mesh_atlas(), map, roughness, asked.levels);
     set_roughness(levels, normals, c, sign, offset);
     return normals;
 }
@@ -115,23 +104,24 @@ struct FloatMaterial {
 };
 
 FloatMaterial float_material(Pipeline& pipeline, const MaterialAsked& asked,
+                             std::span<const Recipe> recipes,
                              const std::vector<MaterialPicture>& wanted) {
-    const Recipe& recipe = pipeline.recipe();
-    std::vector<Image<RgbaF>> images = pipeline.pictures<RgbaF>(plans_of(recipe, wanted));
-    if (has_color_paint(recipe.paint)) paint(pipeline, images[0]);
-    const bool mask = is_transparent(recipe) && recipe.material.alpha == AlphaMode::mask;
+    std::vector<Image<RgbaF>> images =
+        shared_pictures<RgbaF>(pipeline, recipes, wanted, asked.packing, asked.rough_levels());
+    const std::optional<double> cutoff = mask_cutoff(recipes);
     pipeline.context().begin(tasks::levels);
     FloatMaterial material;
     for (std::size_t i = 0; i < images.size(); ++i) {
-        FloatLevels means = i == 0 && mask
-                                ? masked_levels(pipeline.mesh_atlas(), images[i],
-                                                float(recipe.material.alpha_cutoff), asked.levels)
-                                : block_levels(pipeline.mesh_atlas(), images[i], asked.levels);
+        FloatLevels means =
+            i == 0 && cutoff
+                ? masked_levels(pipeline.mesh_atlas(), images[i], float(*cutoff), asked.levels)
+                : block_levels(pipeline.mesh_atlas(), images[i], asked.levels);
         FloatLevels& levels = material.pictures.emplace_back();
         levels.push_back(std::move(images[i]));
         std::ranges::move(means, std::back_inserter(levels));
         if (i == 0 || !asked.rough_levels() || !wanted[i - 1].roughness) continue;
-        for (NormalLevel& level : levels_with_normals(pipeline, asked, wanted[i - 1], levels))
+        for (NormalLevel& level :
+             levels_with_normals(pipeline, asked, recipes, wanted[i - 1], levels))
             material.normals.push_back(std::move(level.normals));
     }
     return material;
@@ -148,14 +138,15 @@ Image<Rgba<Code>> coded(const Image<RgbaF>& level, bool is_color) {
 
 template <class Code>
 BakedMaterial bake_levels(Pipeline& pipeline, const MaterialAsked& asked,
+                          std::span<const Recipe> recipes,
                           const std::vector<MaterialPicture>& wanted) {
-    const Recipe& recipe = pipeline.recipe();
-    FloatMaterial floats = float_material(pipeline, asked, wanted);
+    const bool transparent = any_transparent(recipes);
+    FloatMaterial floats = float_material(pipeline, asked, recipes, wanted);
     BakedMaterial material;
     for (const Image<RgbaF>& level : floats.pictures[0]) {
         Image<Rgba<Code>> codes = coded<Code>(level, true);
-        BakedImage image = is_transparent(recipe) ? BakedImage(std::move(codes))
-                                                  : BakedImage(without_alpha(codes));
+        BakedImage image =
+            transparent ? BakedImage(std::move(codes)) : BakedImage(without_alpha(codes));
         if (&level == floats.pictures[0].data())
             material.color = std::move(image);
         else
@@ -193,32 +184,37 @@ Packing packing_asked(const std::string& text, const std::string& out_path) {
     return packing;
 }
 
-std::vector<std::string> picture_names(const Recipe& recipe, const MaterialAsked& asked) {
+std::vector<std::string> picture_names(std::span<const Recipe> recipes,
+                                       const MaterialAsked& asked) {
     std::vector<std::string> names;
     for (const MaterialPicture& one :
-         material_pictures(recipe, asked.packing, asked.rough_levels()))
+         shared_material_pictures(recipes, asked.packing, asked.rough_levels()))
         names.push_back(one.name);
     return names;
 }
 
-BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked) {
-    check_material(pipeline.recipe(), asked, "");
+BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked,
+                            std::span<const Recipe> recipes) {
+    const std::span<const Recipe> all = all_of(pipeline, recipes);
+    for (const Recipe& recipe : all) check_material(recipe, asked, "");
     const std::vector<MaterialPicture> wanted =
-        material_pictures(pipeline.recipe(), asked.packing, asked.rough_levels());
+        shared_material_pictures(all, asked.packing, asked.rough_levels());
     if (asked.levels > 0)
-        return asked.depth == 16 ? bake_levels<std::uint16_t>(pipeline, asked, wanted)
-                                 : bake_levels<std::uint8_t>(pipeline, asked, wanted);
-    return asked.depth == 16 ? bake<std::uint16_t>(pipeline, wanted)
-                             : bake<std::uint8_t>(pipeline, wanted);
+        return asked.depth == 16 ? bake_levels<std::uint16_t>(pipeline, asked, all, wanted)
+                                 : bake_levels<std::uint8_t>(pipeline, asked, all, wanted);
+    return asked.depth == 16 ? bake<std::uint16_t>(pipeline, asked, all, wanted)
+                             : bake<std::uint8_t>(pipeline, asked, all, wanted);
 }
 
 AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
                               const MaterialAsked& asked, ExrDepth depth) {
     const Recipe& recipe = pipeline.recipe();
     check_material(recipe, asked, "");
+    MaterialAsked separate = asked;
+    separate.packing = Packing::separate;
     const std::vector<MaterialPicture> wanted =
-        material_pictures(recipe, Packing::separate, asked.rough_levels());
-    const FloatMaterial floats = float_material(pipeline, asked, wanted);
+        material_pictures(recipe, separate.packing, separate.rough_levels());
+    const FloatMaterial floats = float_material(pipeline, separate, all_of(pipeline, {}), wanted);
     std::deque<Image<RgbF>> colors;
     std::deque<Image<float>> numbers;
     std::vector<ExrLayer> layers(floats.pictures.size());

@@ -2,6 +2,7 @@
 // The pictures of a bake's material: the base colour with its alpha, and those of the other
 // channels, made in one pass.
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,9 @@ struct MaterialAsked {
     bool rough_levels() const { return normals && levels > 0; }
 };
 
-/// The names of the pictures that a bake of the recipe writes besides the base colour.
-std::vector<std::string> picture_names(const Recipe& recipe, const MaterialAsked& asked);
+/// The names of the pictures that a bake of the recipes, which share an atlas, writes besides the
+/// base colour.
+std::vector<std::string> picture_names(std::span<const Recipe> recipes, const MaterialAsked& asked);
 
 /// The pictures of a material.
 struct BakedMaterial {
@@ -42,7 +44,10 @@ struct BakedMaterial {
 /// light, of colours multiplied by their alpha; a mask's alpha keeps its share of the surface, and
 /// what normals lose in length becomes roughness (docs/reference/materials-levels.md). Throws
 /// Error(usage) for paint over a transparent texture.
-BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked);
+///
+/// `recipes` are those that share the atlas (app/bake/shared_pictures.h); empty: the pipeline's.
+BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked,
+                            std::span<const Recipe> recipes = {});
 
 /// Writes the material in linear floats to `path`, an .exr, with a layer per channel that varies
 /// and all MIP levels if any are asked for.

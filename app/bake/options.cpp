@@ -154,10 +154,11 @@ void add_document(CLI::App& verb, BakeCommand& command) {
             const bool whole = at != std::string::npos && at > 0 && at + 1 < text.size();
             return whole ? "" : fmt::format("\"{}\" is not GLOB=RECIPE", text);
         });
-    verb.add_option("--atlas-per", command.atlas_per,
-                    "What of a glTF shares an atlas and its textures: all that has one recipe in "
-                    "the scene, each mesh, or each material")
-        ->check(one_of({"scene", "mesh", "material"}))
+    verb.add_option(
+            "--atlas-per", command.atlas_per,
+            "What of a glTF shares an atlas and its textures: the whole scene, all that has "
+            "one recipe, each mesh, or each material")
+        ->check(one_of({"scene", "recipe", "mesh", "material"}))
         ->capture_default_str();
     verb.add_option("--uv-set", command.uv_set,
                     "Set of a glTF's texture coordinates that gets the atlas's, the old ones from "

@@ -47,7 +47,7 @@ struct BakeCommand {
     /// Recipes for materials of a glTF, GLOB=RECIPE, the first that matches counts.
     std::vector<std::string> assigned;
     bool recipe_given = false;            ///< whether --recipe was
-    std::string atlas_per = "scene";      ///< scene, mesh or material
+    std::string atlas_per = "scene";      ///< scene, recipe, mesh or material
     std::optional<std::uint32_t> uv_set;  ///< the set for the atlas's texture coordinates
     bool strict = false;                  ///< whether what an output cannot keep is an error
     bool udim = false;                    ///< whether each UDIM tile gets an image of its own

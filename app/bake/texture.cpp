@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/bake/shared_pictures.h"
 #include "app/base/messages.h"
 #include "app/base/stopwatch.h"
 #include "app/export/formats.h"
@@ -144,11 +145,13 @@ BakedTexture bake_texture(Pipeline& pipeline, ImageKind kind, const LevelsAsked&
 }
 
 std::optional<NormalMap> bake_normals(Pipeline& pipeline, NormalSpace space, int depth,
-                                      double crease_degrees) {
+                                      double crease_degrees, std::span<const Recipe> recipes) {
     if (space == NormalSpace::none) return std::nullopt;
     const bool tangent = space == NormalSpace::tangent;
-    if (depth == 16) return NormalMap{pipeline.normal_map<Rgb16>(crease_degrees, tangent), tangent};
-    return NormalMap{pipeline.normal_map<Rgb8>(crease_degrees, tangent), tangent};
+    const auto all = recipes.empty() ? std::span(&pipeline.recipe(), 1) : recipes;
+    if (depth == 16)
+        return NormalMap{shared_normals<Rgb16>(pipeline, all, crease_degrees, tangent), tangent};
+    return NormalMap{shared_normals<Rgb8>(pipeline, all, crease_degrees, tangent), tangent};
 }
 
 void add_levels(NormalMap& map, const std::vector<Image<RgbF>>& levels) {

@@ -3,6 +3,7 @@
 // in bands of rows, blocks of it that share a place, and the normal map.
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,9 +50,9 @@ struct BakedTexture {
 BakedTexture bake_texture(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels);
 
 /// The normal map of the pipeline's recipe, of 16 bits per channel if `depth` is 16, else 8; none
-/// for NormalSpace::none.
+/// for NormalSpace::none. `recipes` are those that share the atlas; empty: the pipeline's.
 std::optional<NormalMap> bake_normals(Pipeline& pipeline, NormalSpace space, int depth,
-                                      double crease_degrees);
+                                      double crease_degrees, std::span<const Recipe> recipes = {});
 
 /// Adds MIP levels, unit vectors, in the codes of the map.
 void add_levels(NormalMap& map, const std::vector<Image<RgbF>>& levels);

@@ -45,7 +45,7 @@ void check_vertex_colors(const std::string& out, const RecipeOptions& recipe) {
 
 std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe) {
     const MaterialAsked separate{Packing::separate, 8, 0, false, 0.0};
-    std::vector<std::string> lost = picture_names(recipe, separate);
+    std::vector<std::string> lost = picture_names({&recipe, 1}, separate);
     if (!recipe.bump.empty()) lost.emplace_back("bumps");
     if (!recipe.paint.empty()) lost.emplace_back("paint");
     return lost;

@@ -104,7 +104,11 @@ std::vector<SceneImage> texture_of(const std::string& name, const std::string& p
 }  // namespace
 
 std::string material_name(const SceneContent& content) {
-    const std::string &mesh = content.mesh.name, &recipe = content.options.recipe_name;
+    return material_name(content, content.options.recipe_name);
+}
+
+std::string material_name(const SceneContent& content, const std::string& recipe) {
+    const std::string& mesh = content.mesh.name;
     if (mesh.empty() || recipe.empty())
         return mesh.empty() && recipe.empty() ? "solid texture" : mesh + recipe;
     return mesh + ' ' + recipe;

@@ -62,6 +62,15 @@ struct KeptObj {
 std::shared_ptr<const KeptObj> kept_obj(const std::string& path, const Mesh& mesh,
                                         const Mat4d& frame);
 
+/// The material of one of the recipes that share an atlas.
+struct ExportShare {
+    std::string recipe_name{}, recipe_json{};
+    Material material{};       ///< its numbers, factors of what the pictures show
+    bool transparent = false;  ///< whether its base colour has alpha
+    bool normals = false;      ///< whether it shows the normal map
+    std::vector<std::vector<std::string>> slots{};  ///< per picture its places in the glTF material
+};
+
 struct ExportOptions {
     /// The crease angle of computed normals (app/surface/normals.h).
     double crease_degrees = 40.0;
@@ -72,6 +81,9 @@ struct ExportOptions {
     /// The material's numbers, which are factors of what its pictures show.
     Material material{};
     std::vector<ExportPicture> pictures{};
+    /// The recipes that share the atlas of a glTF's document, each with a material of its own, by
+    /// the label of its triangles; empty: there is one recipe.
+    std::vector<ExportShare> shares{};
     PictureCoding coding{};               ///< of pictures in and beside the output (coding_asked)
     ExrDepth exr_depth = ExrDepth::half;  ///< of an .exr
     /// The pose becomes a morph target in .glb and .gltf; .obj is written as posed. Images are

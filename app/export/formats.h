@@ -21,6 +21,8 @@ struct SceneContent {
 /// The material's name "teapot marble", which differs between textures, since importers merge what
 /// has one name.
 std::string material_name(const SceneContent& content);
+/// The material's name where it is of this recipe.
+std::string material_name(const SceneContent& content, const std::string& recipe);
 
 /// An image of a scene: a level of a texture.
 struct SceneImage {

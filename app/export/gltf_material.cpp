@@ -44,14 +44,15 @@ bool are_opaque(const std::vector<Vec4f>& colors) {
 
 }  // namespace
 
-Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
-    const Material& m = content.options.material;
+Json gltf_material(const SceneContent& content, const ExportShare& share,
+                   const GltfPlaces& places) {
+    const Material& m = share.material;
     const auto texture_info = [&](std::size_t number) {
         Json info{{"index", places.textures + number}};
         if (places.uv_set > 0) info["texCoord"] = places.uv_set;
         return info;
     };
-    Json json{{"name", material_name(content)},
+    Json json{{"name", material_name(content, share.recipe_name)},
               {"pbrMetallicRoughness",
                {{"baseColorTexture", texture_info(0)},
                 {"metallicFactor", m.metallic},
@@ -59,21 +60,30 @@ Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
               {"doubleSided", true}};
     if (!content.options.vertex_colors.empty())
         json["pbrMetallicRoughness"].erase("baseColorTexture");
-    if (content.options.normals) json["normalTexture"] = texture_info(1);
+    if (share.normals) json["normalTexture"] = texture_info(1);
     if (m.emissive != Rgb8{}) json["emissiveFactor"] = light(m.emissive);
-    if (has_alpha(content.image) || !are_opaque(content.options.vertex_colors)) {
+    if (share.transparent) {
         const bool mask = m.alpha == AlphaMode::mask;
         json["alphaMode"] = mask ? "MASK" : "BLEND";
         if (mask) json["alphaCutoff"] = m.alpha_cutoff;
     }
     if (Json used = extensions(m); !used.empty()) json["extensions"] = std::move(used);
     std::size_t texture = content.options.normals ? 2 : 1;
-    for (const ExportPicture& picture : content.options.pictures) {
-        for (const std::string& slot : picture.slots)
+    for (const std::vector<std::string>& slots : share.slots) {
+        for (const std::string& slot : slots)
             json[Json::json_pointer(slot)] = texture_info(texture);
         ++texture;
     }
     return json;
+}
+
+Json gltf_material(const SceneContent& content, const GltfPlaces& places) {
+    const ExportOptions& options = content.options;
+    ExportShare whole{options.recipe_name, options.recipe_json, options.material,
+                      has_alpha(content.image) || !are_opaque(options.vertex_colors),
+                      options.normals.has_value()};
+    for (const ExportPicture& picture : options.pictures) whole.slots.push_back(picture.slots);
+    return gltf_material(content, whole, places);
 }
 
 Json gltf_textures(const SceneContent& content, const GltfPlaces& places) {

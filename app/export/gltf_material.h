@@ -17,6 +17,10 @@ struct GltfPlaces {
 /// meshes with inconsistent winding look whole.
 nlohmann::ordered_json gltf_material(const SceneContent& content, const GltfPlaces& places);
 
+/// The material of a recipe that shares the content's atlas.
+nlohmann::ordered_json gltf_material(const SceneContent& content, const ExportShare& share,
+                                     const GltfPlaces& places);
+
 /// The textures, whose images (scene_textures) follow one another, each followed by its MIP levels,
 /// which extras.burl_levels lists.
 nlohmann::ordered_json gltf_textures(const SceneContent& content, const GltfPlaces& places);

@@ -277,6 +277,10 @@ nlohmann::ordered_json burl_extras(const SceneContent& content) {
                 {"size", atlas.size}};
     if (atlas.kind == AtlasKind::quad) burl["weight"] = to_string(atlas.weight);
     if (!recipe.empty()) burl["recipe"] = recipe;
+    if (content.options.shares.empty()) return burl;
+    burl.erase("recipe");
+    for (const ExportShare& share : content.options.shares)
+        burl["recipes"].push_back(share.recipe_json);
     return burl;
 }
 

@@ -34,7 +34,8 @@ TextureFilter baked_filter(const AtlasOptions& atlas);
 /// A glTF sampler for it.
 nlohmann::ordered_json gltf_sampler(const AtlasOptions& atlas);
 
-/// The value of `asset.extras.burl`: the bake's atlas, and its recipe where there is one.
+/// The value of `asset.extras.burl`: the bake's atlas, and its recipe, or those
+/// that share it, where there are any.
 nlohmann::ordered_json burl_extras(const SceneContent& content);
 
 /// Builds meshes (one per part, one primitive each), nodes (one per placement), material, sampler

@@ -80,6 +80,11 @@ class Carver {
     std::uint32_t uv_set_for(const Json& target) const;
     /// Whether the atlas's coordinates are the document's own, which so keep their bytes.
     bool keeps_uvs() const { return carved_.content.atlas.options.kind == AtlasKind::uv; }
+    /// The number of the run's recipe.
+    std::uint32_t label_of(const GltfRun& run) const {
+        return carved_.labels.empty() ? 0 : carved_.labels[run.first_triangle];
+    }
+    bool shows_normals(const VertexGroup& group) const;
     void say_losses();
 
     KeptDocument& document_;
@@ -284,9 +289,17 @@ void Carver::insert_uvs(const VertexGroup& group, Json& attributes, std::uint32_
     attributes[name(set)] = document_.add_floats(uvs, 2);
 }
 
+/// Whether the material of a primitive of the group has a normal map.
+bool Carver::shows_normals(const VertexGroup& group) const {
+    const std::vector<ExportShare>& shares = carved_.content.options.shares;
+    return shares.empty() || std::ranges::any_of(group.runs, [&](const GltfRun* run) {
+               return shares[label_of(*run)].normals;
+           });
+}
+
 /// Adds tangents where a normal map needs them, with normals where the file has none.
 void Carver::add_frames(const VertexGroup& group, Json& attributes) {
-    if (!frames_.has_tangents()) return;
+    if (!frames_.has_tangents() || !shows_normals(group)) return;
     const PartFrames local(frames_, *group.part);
     std::vector<float> normals, tangents;
     for (const KeptVertex& vertex : group.vertices.all()) {
@@ -330,7 +343,8 @@ void Carver::carve(VertexGroup& group) {
         if (!targets.empty()) target["targets"] = targets;
         write_indices(group, r, target);
         erase_extension(target, draco);
-        material_.use_at({group.mesh, std::size_t(group.runs[r]->primitive)}, set);
+        material_.use_at({group.mesh, std::size_t(group.runs[r]->primitive)}, set,
+                         label_of(*group.runs[r]));
     }
 }
 

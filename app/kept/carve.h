@@ -28,6 +28,9 @@ struct CarvedMesh {
     std::optional<std::uint32_t> uv_set{};
     /// The path after which pictures beside a .gltf are named; empty: they go into the document.
     std::string pictures{};
+    /// Per triangle of the mesh that was read, whose primitives have one label each, the number of
+    /// its recipe among content.options.shares; empty: one recipe.
+    std::span<const std::uint32_t> labels{};
 };
 
 /// Carves the document. Returns the files of the pictures, which are still to be committed. What

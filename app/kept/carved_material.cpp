@@ -70,9 +70,10 @@ std::size_t CarvedMaterial::add_sampler() {
     return number;
 }
 
-void CarvedMaterial::use_at(std::array<std::size_t, 2> primitive, std::uint32_t uv_set) {
+void CarvedMaterial::use_at(std::array<std::size_t, 2> primitive, std::uint32_t uv_set,
+                            std::uint32_t share) {
     const Json& target = document_.json["meshes"][primitive[0]]["primitives"][primitive[1]];
-    users_[{target.value("material", -1), uv_set}].push_back(primitive);
+    users_[{target.value("material", -1), uv_set, share}].push_back(primitive);
 }
 
 /// Whether a primitive, or a variant of one, has the material.
@@ -88,14 +89,22 @@ bool CarvedMaterial::is_used(int material) const {
     return false;
 }
 
+const std::string& CarvedMaterial::recipe_of(const Key& key) const {
+    const std::vector<ExportShare>& shares = content_.options.shares;
+    return shares.empty() ? content_.options.recipe_name : shares[key.share].recipe_name;
+}
+
 /// The material for the primitives that had another; `in_place` says whether it replaces that.
 Json CarvedMaterial::made_for(const Key& key, bool in_place) const {
-    Json made = gltf_material(content_, {first_texture_, 0, 0, key.second});
-    if (key.first < 0) return made;
-    const Json& old = document_.json["materials"][std::size_t(key.first)];
+    const std::vector<ExportShare>& shares = content_.options.shares;
+    const GltfPlaces places{first_texture_, 0, 0, key.uv_set};
+    Json made = shares.empty() ? gltf_material(content_, places)
+                               : gltf_material(content_, shares[key.share], places);
+    if (key.material < 0) return made;
+    const Json& old = document_.json["materials"][std::size_t(key.material)];
     if (old.contains("name")) {
         const std::string name = old["name"];
-        made["name"] = in_place ? name : name + ' ' + content_.options.recipe_name;
+        made["name"] = in_place ? name : name + ' ' + recipe_of(key);
     }
     made["doubleSided"] = old.value("doubleSided", false);
     if (old.contains("extras")) made["extras"] = old["extras"];
@@ -110,11 +119,11 @@ void CarvedMaterial::assign() {
     for (const auto& [key, primitives] : users_)
         for (const auto& id : primitives) target(id).erase("material");
     for (const auto& [key, primitives] : users_) {
-        const bool in_place = key.first >= 0 && !is_used(key.first);
+        const bool in_place = key.material >= 0 && !is_used(key.material);
         Json made = made_for(key, in_place);
         if (made.contains("extensions"))
             for (const auto& item : made["extensions"].items()) document_.use_extension(item.key());
-        const std::size_t number = in_place ? std::size_t(key.first) : materials.size();
+        const std::size_t number = in_place ? std::size_t(key.material) : materials.size();
         if (in_place)
             materials[number] = std::move(made);
         else

@@ -2,7 +2,10 @@
 // The material of a carved mesh in the document that it goes back to: it takes the place of the old
 // one where nothing else has that.
 #include <array>
+#include <compare>
+#include <cstdint>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,8 +23,9 @@ class CarvedMaterial {
                    const std::string& pictures);
 
     /// Notes that the primitive (mesh, primitive) is to have the material, with its texture
-    /// coordinates in the set `uv_set`.
-    void use_at(std::array<std::size_t, 2> primitive, std::uint32_t uv_set);
+    /// coordinates in the set `uv_set`; `share` is the number of its recipe among those that share
+    /// the atlas.
+    void use_at(std::array<std::size_t, 2> primitive, std::uint32_t uv_set, std::uint32_t share);
     /// Gives the noted primitives their materials: one for each old material and set of texture
     /// coordinates, with the old one's name, sides and extras.
     void assign();
@@ -30,12 +34,16 @@ class CarvedMaterial {
     std::vector<AtomicFile> take_files() { return std::move(files_); }
 
   private:
-    /// The old material (-1: none) and the set of texture coordinates.
-    using Key = std::pair<int, std::uint32_t>;
+    struct Key {
+        int material = -1;  ///< the old one; -1: none
+        std::uint32_t uv_set = 0, share = 0;
+        auto operator<=>(const Key&) const = default;
+    };
 
     void add_image(const SceneImage& image);
     std::size_t add_sampler();
     bool is_used(int material) const;
+    const std::string& recipe_of(const Key& key) const;
     Json made_for(const Key& key, bool in_place) const;
 
     KeptDocument& document_;

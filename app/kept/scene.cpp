@@ -112,9 +112,9 @@ void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& 
 std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content,
                                    std::span<const CornerOrigin> corners) {
     KeptDocument& document = scene.document;
-    std::ranges::move(
-        carve(document, {scene.origins, corners, content, scene.uv_set, scene.pictures}),
-        std::back_inserter(scene.pending));
+    std::ranges::move(carve(document, {scene.origins, corners, content, scene.uv_set,
+                                       scene.pictures, scene.labels}),
+                      std::back_inserter(scene.pending));
     if (!scene.is_last) return {};
     if (scene.frame != Mat4d(1.0)) add_root(document.json, scene.frame);
     std::vector<AtomicFile> files = write_kept(document, content.path);

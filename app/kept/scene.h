@@ -19,6 +19,7 @@ struct KeptScene {
     Mat4d frame{1.0};                       ///< transform of the whole scene
     std::optional<std::uint32_t> uv_set{};  ///< as in CarvedMesh
     std::string pictures{};                 ///< as in CarvedMesh
+    std::vector<std::uint32_t> labels{};    ///< as in CarvedMesh
     bool is_last = true;                    ///< whether no other bake follows
     bool is_strict = false;                 ///< whether a loss is an error
     std::vector<AtomicFile> pending{};

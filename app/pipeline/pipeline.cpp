@@ -20,6 +20,25 @@ void Pipeline::set_recipe(const Recipe& recipe) {
     context_.records.begin_recipe();
 }
 
+void Pipeline::set_labels(std::vector<std::uint32_t> labels) {
+    if (labels == labels_) return;
+    labels_ = std::move(labels);
+    label_.reset();
+    forget_solid();
+    stages_.normals.forget_frames();
+    stages_.layout.forget();
+    stages_.connectivity.forget();
+}
+
+void Pipeline::show_label(std::optional<std::uint32_t> label) {
+    if (label == label_) return;
+    label_ = label;
+    if (context_.synthesizer) context_.synthesizer->forget_atlas();
+    stages_.texture.forget();
+    stages_.normals.forget();
+    stages_.masks.forget_images();
+}
+
 void Pipeline::set_kernel(Kernel kernel) {
     if (kernel != context_.way.kernel) stages_.texture.forget_pictures();
     context_.way.kernel = kernel;
@@ -65,6 +84,8 @@ const MeshAtlas& Pipeline::mesh_atlas() {
 const SolidAtlas& Pipeline::solid(std::uint32_t level) {
     const SolidAtlas& finest =
         stages_.solid.run(context_, mesh_, mesh_atlas(), recipe_.solid.space);
+    if (label_ && level == 0)
+        return stages_.solid.run_share(finest, mesh_, mesh_atlas(), labels_, *label_);
     return stages_.solid.run_level(finest, level);
 }
 

@@ -2,7 +2,9 @@
 // A mesh, a recipe and the stages between them (app/pipeline/stages.h), for programs that ask for
 // one result of several recipes one after the other: a new recipe repeats only the stages that
 // depend on what it changes (table in docs/lab/economy.md).
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <utility>
 #include <vector>
@@ -38,12 +40,21 @@ class Pipeline {
     /// every recipe that is synthesised.
     void set_synthesizer(std::shared_ptr<TextureSynthesizer> synthesizer);
 
+    /// Sets the labels of the mesh's triangles, those of recipes that share the atlas, whose charts
+    /// end where labels change; empty: all triangles are alike.
+    void set_labels(std::vector<std::uint32_t> labels);
+    /// Has textures, pictures and normal maps show the triangles of a label alone; none: all.
+    /// Other texels are as those that show nothing.
+    void show_label(std::optional<std::uint32_t> label);
+
     const Mesh& mesh() const { return mesh_; }
     /// The mesh whose triangles the atlas places, which is the one to export.
     const Mesh& atlas_mesh() { return mesh_atlas().mesh(mesh_); }
     const Recipe& recipe() const { return recipe_; }
     /// The mesh's connectivity; computed on the first call.
-    const Connectivity& connectivity() { return stages_.connectivity.run(context_, mesh_); }
+    const Connectivity& connectivity() {
+        return stages_.connectivity.run(context_, mesh_, labels_);
+    }
     /// Makes the recipe's atlas, which mesh_atlas() would do otherwise; false if `stop` was
     /// requested first. Throws Error.
     bool lay_out(const std::stop_token& stop);
@@ -51,7 +62,7 @@ class Pipeline {
     const MeshAtlas& mesh_atlas();
     const Atlas& atlas() { return mesh_atlas().atlas(); }
     /// The solid points of the texels of the texture's level `level`, in the recipe's space
-    /// (atlas/solid/level.h).
+    /// (atlas/solid/level.h); in level 0, of the label's texels where show_label() says one.
     const SolidAtlas& solid(std::uint32_t level = 0);
     /// The source of masks of this pipeline's mesh over levels of its atlas; it refers to the
     /// pipeline, and images stay until the mask or the atlas changes.
@@ -128,6 +139,8 @@ class Pipeline {
     void forget_solid();
 
     Mesh mesh_;
+    std::vector<std::uint32_t> labels_;   ///< one per triangle, or empty
+    std::optional<std::uint32_t> label_;  ///< the label that is shown
     Recipe recipe_;
     StageContext context_;
     Stages stages_;

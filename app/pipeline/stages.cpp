@@ -10,6 +10,7 @@
 #include "atlas/base/mip_chain.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/solid/level.h"
+#include "atlas/solid/texel_set.h"
 #include "procedural/fill/normals.h"
 
 namespace burl {
@@ -48,13 +49,15 @@ bool takes_slopes(const Recipe& recipe, const GraphMask& mask) {
 
 }  // namespace
 
-const Connectivity& ConnectivityStage::run(StageContext& context, const Mesh& mesh) {
+const Connectivity& ConnectivityStage::run(StageContext& context, const Mesh& mesh,
+                                           std::span<const std::uint32_t> labels) {
     if (edges_) {
         context.records.keep(Stage::connectivity);
         return *edges_;
     }
     edges_ = context.records.time(Stage::connectivity, [&](StageCost& cost) {
         Connectivity edges = build_connectivity(mesh);
+        cut_between(edges, mesh, labels);
         cost.triangles = mesh.triangles.size();
         cost.bytes = bytes_of(edges.neighbours);
         return edges;
@@ -108,7 +111,24 @@ const SolidAtlas& SolidStage::run_level(const SolidAtlas& finest, std::uint32_t 
     return *coarse;
 }
 
+const SolidAtlas& SolidStage::run_share(const SolidAtlas& finest, const Mesh& mesh,
+                                        const MeshAtlas& atlas,
+                                        std::span<const std::uint32_t> labels,
+                                        std::uint32_t label) {
+    if (share_ && share_->first == label) return share_->second;
+    const std::vector<CornerOrigin> origins = corner_origins(mesh, atlas);
+    const TexelOwners owners(finest, atlas.atlas(), OwnerReach::gutters);
+    TexelSet wanted(finest.size);
+    for (std::uint32_t y = 0; y < finest.size; ++y)
+        for (const Span& span : finest.row(y))
+            for (std::uint32_t x = span.x; x < span.x + span.count; ++x)
+                if (labels[origins[3 * owners(x, y, span.map)].a / 3] == label) wanted.insert(x, y);
+    share_.emplace(label, cut_to(finest, wanted));
+    return share_->second;
+}
+
 void SolidStage::forget() {
+    share_.reset();
     levels_.clear();
     solid_.reset();
 }

@@ -7,7 +7,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -45,7 +47,9 @@ struct StageContext {
 /// The mesh's edges: who is whose neighbour.
 class ConnectivityStage {
   public:
-    const Connectivity& run(StageContext& context, const Mesh& mesh);
+    /// `labels` keep triangles apart (cut_between).
+    const Connectivity& run(StageContext& context, const Mesh& mesh,
+                            std::span<const std::uint32_t> labels = {});
     /// Frees the triangles' neighbours, 12 bytes per triangle, which layouts alone need.
     void release_neighbours();
     /// Whether the result has its counts alone.
@@ -76,11 +80,16 @@ class SolidStage {
                           SolidSpace space);
     /// The solid points of level `level` of the atlas whose own are `finest` (atlas/solid/level.h).
     const SolidAtlas& run_level(const SolidAtlas& finest, std::uint32_t level);
+    /// The solid points of the texels that show triangles of the label; `labels` are those of the
+    /// mesh's triangles. They are valid until the next call.
+    const SolidAtlas& run_share(const SolidAtlas& finest, const Mesh& mesh, const MeshAtlas& atlas,
+                                std::span<const std::uint32_t> labels, std::uint32_t label);
     void forget();
 
   private:
     std::unique_ptr<const SolidAtlas> solid_;
     std::map<std::uint32_t, std::unique_ptr<const SolidAtlas>> levels_;
+    std::optional<std::pair<std::uint32_t, SolidAtlas>> share_;  ///< with its label
 };
 
 /// The masks that textures and bumps read, as images over the atlas's texels.
@@ -95,6 +104,7 @@ class MaskStage {
                    GraphOutput output, const std::stop_token& stop = {});
     /// Frees the images that neither the texture nor the bumps of the recipe read.
     void keep_those_of(const Recipe& recipe);
+    void forget_images() { images_.clear(); }
     void forget();
 
   private:

@@ -144,4 +144,19 @@ Connectivity build_connectivity(const Mesh& mesh) {
     return connectivity;
 }
 
+void cut_between(Connectivity& connectivity, const Mesh& mesh,
+                 std::span<const std::uint32_t> labels) {
+    if (labels.empty()) return;
+    std::uint64_t cut = 0;
+    for (std::size_t t = 0; t < connectivity.neighbours.size(); ++t)
+        for (std::int32_t& side : connectivity.neighbours[t]) {
+            if (side < 0 || labels[std::size_t(side)] == labels[t]) continue;
+            side = -1;
+            ++cut;
+        }
+    connectivity.interior_edges -= cut / 2;  // counted from both sides
+    connectivity.boundary_edges += cut;
+    connectivity.shells = count_shells(mesh, connectivity);
+}
+
 }  // namespace burl

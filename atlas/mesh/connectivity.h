@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "atlas/mesh/mesh.h"
@@ -29,6 +30,12 @@ struct Connectivity {
 /// neighbours[b][j] == a, on the same two points. Degenerate triangles (a repeated point) have no
 /// neighbours.
 Connectivity build_connectivity(const Mesh& mesh);
+
+/// Cuts the mesh's connectivity between triangles with different labels, one per triangle, which
+/// are no neighbours then: their edge counts as two edges with one face. Does nothing without
+/// labels.
+void cut_between(Connectivity& connectivity, const Mesh& mesh,
+                 std::span<const std::uint32_t> labels);
 
 /// Disjoint sets (union-find); the smallest member stands for its set.
 class DisjointSets {

@@ -45,7 +45,7 @@ std::vector<std::string> files_of_texture(const ExportRequest& request, const st
     const MaterialAsked asked{packing_asked("", out), export_depth, levels,
                               normals == NormalSpace::tangent};
     return output_paths(out, levels, normals != NormalSpace::none,
-                        picture_names(request.recipe, asked), asked.rough_levels());
+                        picture_names({&request.recipe, 1}, asked), asked.rough_levels());
 }
 
 std::vector<std::string> files_of_frames(const ExportRequest& request) {

@@ -273,6 +273,7 @@ TEST_F(KeptTest, SeveralAtlasesShareADocument) {
     const std::string source = sample("two_materials_skin"), out = folder / "a.gltf";
     const Json report = bake(source, out, [](BakeCommand& command) {
         command.assigned = {"Wood*=oak", "Metal=gold"};
+        command.atlas_per = "recipe";
     });
     const Json after = document_of(out);
     const auto base = Json::json_pointer("/pbrMetallicRoughness/baseColorTexture/index");
@@ -284,6 +285,26 @@ TEST_F(KeptTest, SeveralAtlasesShareADocument) {
     };
     EXPECT_EQ(file(wood), "a_oak.png");
     EXPECT_EQ(file(metal), "a_gold.png");
+    for (const auto& output : report["outputs"])
+        EXPECT_TRUE(std::filesystem::exists(output.get<std::string>())) << output;
+    EXPECT_EQ(rest_of(source), rest_of(out));
+    expect_meshes_equal(source, out, 1e-6);
+}
+
+TEST_F(KeptTest, RecipesShareTheAtlasOfAScene) {
+    const std::string source = sample("two_materials_skin"), out = folder / "a.gltf";
+    const Json report = bake(source, out, [](BakeCommand& command) {
+        command.assigned = {"Wood*=oak", "Metal=gold"};
+    });
+    const Json after = document_of(out);
+    const Json wood = after["materials"][0]["pbrMetallicRoughness"],
+               metal = after["materials"][1]["pbrMetallicRoughness"];
+    EXPECT_EQ(wood["baseColorTexture"]["index"], metal["baseColorTexture"]["index"]);
+    EXPECT_EQ(after["images"][0]["uri"], "a.png");
+    EXPECT_EQ(wood["metallicFactor"], 0.0);
+    EXPECT_FALSE(metal.contains("metallicFactor") && metal["metallicFactor"] != 1.0);
+    EXPECT_EQ(report["recipes"].size(), 2u);
+    EXPECT_EQ(after["asset"]["extras"]["burl"]["recipes"].size(), 2u);
     for (const auto& output : report["outputs"])
         EXPECT_TRUE(std::filesystem::exists(output.get<std::string>())) << output;
     EXPECT_EQ(rest_of(source), rest_of(out));

@@ -139,5 +139,22 @@ TEST(Connectivity, SilentAndEmpty) {
     EXPECT_EQ(build_connectivity({}).shells, 0u);
 }
 
+/// A tube of two rings is cut off a torus: two tubes with two borders each, of m edges.
+TEST(Connectivity, CutBetweenLabels) {
+    const std::uint32_t n = 5, m = 7;
+    const Mesh mesh = torus(n, m);
+    Connectivity connectivity = build_connectivity(mesh);
+    std::vector<std::uint32_t> labels(mesh.triangles.size());
+    for (std::size_t t = 0; t < labels.size(); ++t) labels[t] = t / (2 * m) < 2 ? 8 : 3;
+    cut_between(connectivity, mesh, labels);
+    EXPECT_EQ(connectivity.shells, 2u);
+    EXPECT_EQ(connectivity.boundary_edges, 4 * m);
+    EXPECT_EQ(connectivity.interior_edges, 3 * n * m - 2 * m);
+    expect_consistent(mesh, connectivity);
+    for (std::size_t t = 0; t < labels.size(); ++t)
+        for (const std::int32_t side : connectivity.neighbours[t])
+            EXPECT_TRUE(side < 0 || labels[std::size_t(side)] == labels[t]);
+}
+
 }  // namespace
 }  // namespace burl

@@ -1,0 +1,29 @@
+#pragma once
+// Between the library's exception and the inner one. No other header is inner.
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "app/library/error.h"
+#include "atlas/base/error.h"
+
+namespace burl::library {
+
+/// What `work` returns; what it throws becomes the library's Error, but for std::bad_alloc.
+template <class Work>
+auto guarded(Work&& work) {
+    try {
+        return std::forward<Work>(work)();
+    } catch (const burl::Error& error) {
+        throw Error(ErrorKind(int(error.code())), error.what());
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw Error(ErrorKind::runtime, error.what());
+    }
+}
+
+}  // namespace burl::library

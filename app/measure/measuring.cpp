@@ -1,0 +1,131 @@
+#include "app/measure/measuring.h"
+
+#include <bit>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/image/image_io.h"
+#include "atlas/base/error.h"
+#include "atlas/measure/uv_atlas.h"
+
+namespace burl {
+
+std::vector<AtlasKind> all_atlas_kinds(std::uint32_t size) {
+    std::vector<AtlasKind> kinds{AtlasKind::uniform, AtlasKind::area, AtlasKind::length};
+    if (std::has_single_bit(size)) kinds.push_back(AtlasKind::quad);
+    kinds.push_back(AtlasKind::patch);
+    return kinds;
+}
+
+void check_square(const AtlasOptions& atlas) {
+    if (atlas.columns() != atlas.rows())
+        throw Error(ExitCode::unsupported,
+                    fmt::format("metrics measures square textures; use --size {}", atlas.size));
+}
+
+std::string measured_name(AtlasKind kind) {
+    return kind == AtlasKind::uv ? "uv-atlas" : std::string(to_string(kind));
+}
+
+std::string measured_picture(const std::string& prefix, std::string_view atlas, const char* topic) {
+    return fmt::format("{}-{}-{}.png", prefix, atlas, topic);
+}
+
+Measuring::Measuring(MeasuringPlan plan, Mesh measured_mesh)
+    : plan_(std::move(plan)),
+      pipeline_(std::move(measured_mesh)),
+      edges_(mesh_edges(mesh(), pipeline_.connectivity())),
+      texture_(plan_.looks_up_recipe ? recipe_texture(plan_.recipe, mesh())
+                                     : metric_marble_texture()) {
+    if (!plan_.lookups) return;
+    TruthOptions options;
+    options.size = plan_.recipe.atlas.size;
+    options.detail = texture_.detail;
+    truth_ = surface_truth(normalised(mesh()), texture_.color, options);
+}
+
+MeasuredAtlas Measuring::our_atlas(AtlasKind kind) {
+    plan_.recipe.atlas.kind = kind;
+    pipeline_.set_recipe(plan_.recipe);
+    const MeshAtlas& atlas = pipeline_.mesh_atlas();
+    const auto points_of = [&](const Mesh& surface, const Atlas&, const auto& positions) {
+        return rasterize(surface, atlas, positions);
+    };
+    const std::string name = measured_name(kind);
+    if (!atlas.patches())
+        return with_direct(measured(name, mesh(), edges_, atlas.atlas(), truth_, points_of),
+                           truth_);
+    const Mesh& refined = pipeline_.atlas_mesh();
+    const std::optional<SurfaceTruth> truth = refined_truth(atlas);
+    return with_direct(measured(name, refined, mesh_edges(refined, build_connectivity(refined)),
+                                atlas.atlas(), truth, points_of),
+                       truth);
+}
+
+MeasuredAtlas Measuring::uv_atlas() {
+    return measured("uv", mesh(), edges_,
+                    atlas_from_uvs(mesh(), pipeline_.connectivity(), plan_.recipe.atlas.size),
+                    truth_, rasterize_uvs);
+}
+
+Json Measuring::json(const std::vector<MeasuredAtlas>& atlases) {
+    Json rows = Json::array();
+    for (const MeasuredAtlas& atlas : atlases) rows.push_back(measured_json(atlas));
+    return {{"mesh", mesh_json(mesh(), pipeline_.connectivity())}, {"atlases", rows}};
+}
+
+/// Adds the errors of levels synthesised directly, which only a recipe's texture has.
+MeasuredAtlas Measuring::with_direct(MeasuredAtlas result,
+                                     const std::optional<SurfaceTruth>& truth) {
+    if (!truth || texture_.name == metric_marble_name) return result;
+    const Image<RgbF> texture = pipeline_.synthesize<RgbF>();
+    const auto count = std::uint32_t(truth->levels.size());
+    result.direct =
+        level_errors(pipeline_.atlas(), pipeline_.levels(texture, count, {.direct = true}), *truth);
+    return result;
+}
+
+std::optional<SurfaceTruth> Measuring::refined_truth(const MeshAtlas& atlas) const {
+    std::optional<SurfaceTruth> truth = truth_;
+    if (!truth) return truth;
+    truth->points = refined_points(mesh(), atlas, std::move(truth->points));
+    truth->level_points = refined_points(mesh(), atlas, std::move(truth->level_points));
+    truth->grazing.points = refined_points(mesh(), atlas, std::move(truth->grazing.points));
+    return truth;
+}
+
+/// Measures an atlas; `surface` is the mesh whose triangles the atlas places, and the truth's
+/// points lie on it.
+template <class Rasterize>
+MeasuredAtlas Measuring::measured(std::string name, const Mesh& surface,
+                                  const std::vector<MeshEdge>& edges, const Atlas& atlas,
+                                  const std::optional<SurfaceTruth>& truth,
+                                  Rasterize&& points_of) const {
+    const SolidAtlas solid = points_of(surface, atlas, surface.positions);
+    MeasuredAtlas result{std::move(name), atlas,        measure_atlas(surface, atlas, solid, edges),
+                         texture_.name,   std::nullopt, {}};
+    if (!truth && plan_.image.empty()) return result;
+    const Mesh unit = normalised(surface);
+    const TextureValues values =
+        fill_texture(points_of(unit, atlas, unit.positions), texture_.color, plan_.fill);
+    if (truth) result.lookups = measure_lookups(unit, atlas, values, edges, *truth, in_8bit_srgb());
+    if (!plan_.image.empty())
+        draw({surface, atlas, solid, plan_.view}, measure_charts(surface, atlas, edges), values,
+             result);
+    return result;
+}
+
+void Measuring::draw(const PicturedAtlas& what, const ChartMetrics& charts,
+                     const TextureValues& values, MeasuredAtlas& measured) const {
+    const auto write = [&](const char* topic, const Image<Rgb8>& picture) {
+        measured.images.push_back(measured_picture(plan_.image, measured.name, topic));
+        write_png(measured.images.back(), picture);
+    };
+    write(picture_topics[0], charts_picture(what, charts.of_triangle));
+    write(picture_topics[1], scale_picture(what));
+    write(picture_topics[2], levels_picture(what, values));
+}
+
+}  // namespace burl
