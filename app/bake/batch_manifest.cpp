@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <memory>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/bake/batch_matrix.h"
 #include "app/base/file_bytes.h"
 #include "app/base/messages.h"
 #include "app/recipe/presets.h"
@@ -114,6 +118,18 @@ void add_argument(const std::string& key, const Json& value, const fs::path& fol
     }
 }
 
+/// How the keys of entries are to be understood.
+MatrixKeys matrix_keys(const fs::path& folder) {
+    const auto options = std::make_shared<CLI::App>();
+    const auto command = std::make_shared<BakeCommand>();
+    add_bake_options(*options, *command);
+    const auto takes_one = [options, command](const std::string& key) {
+        const CLI::Option* option = options->get_option_no_throw("--" + key);
+        return key == "mesh" || (option && option->get_expected_max() <= 1);
+    };
+    return {takes_one, names_file, folder.string()};
+}
+
 /// Parses the entry as arguments of `burl bake`. Throws Error(invalid_file) or CLI::ParseError.
 void parse_entry(const Json& entry, const fs::path& folder, BatchEntry& result) {
     CLI::App options;
@@ -160,25 +176,41 @@ Json with_defaults(const Json& defaults, const Json& entry) {
     return merged;
 }
 
-/// The entry as a bake with its place in the manifest; errors are stored in it.
-BatchEntry read_entry(const Json& entry, const Json& defaults, const fs::path& folder,
-                      const std::string& place) {
+/// One bake with its place in the manifest; errors are stored in it.
+BatchEntry read_bake(const Json& bake, const fs::path& folder, const std::string& place) {
     BatchEntry result;
     result.where = place;
-    if (entry.is_object() && entry.contains("output") && entry["output"].is_string())
-        result.where += fmt::format(" ({})", entry["output"].get<std::string>());
+    if (bake.contains("output") && bake["output"].is_string())
+        result.where += fmt::format(" ({})", bake["output"].get<std::string>());
     try {
-        if (!entry.is_object())
-            throw Error(ExitCode::invalid_file,
-                        "an entry must be an object such as "
-                        R"({"mesh": "a.obj", "output": "a.png"})");
-        parse_entry(with_defaults(defaults, entry), folder, result);
+        parse_entry(bake, folder, result);
     } catch (const Error& error) {
         result.wrong = error.what();
     } catch (const CLI::ParseError& error) {
         result.wrong = error.what();
     }
     return result;
+}
+
+/// Adds the bakes that an entry stands for, with their place `where` in the manifest; an entry's
+/// own error is stored in one of them.
+void add_entry(const Json& entry, const Json& defaults, const MatrixKeys& keys,
+               const std::string& where, std::vector<BatchEntry>& bakes) {
+    const auto place = [&] { return fmt::format("{}: bake {}", where, bakes.size() + 1); };
+    try {
+        if (!entry.is_object())
+            throw Error(ExitCode::invalid_file,
+                        "an entry must be an object such as "
+                        R"({"mesh": "a.obj", "output": "a.png"})");
+        for (const Json& bake : combinations(with_defaults(defaults, entry), keys))
+            bakes.push_back(read_bake(bake, keys.folder, place()));
+    } catch (const Error& error) {
+        bakes.push_back({place(), {}, {}, error.what()});
+    }
+}
+
+std::vector<std::uint8_t> read_stdin() {
+    return {std::istreambuf_iterator<char>(std::cin), {}};
 }
 
 /// Throws Error(invalid_file) if the manifest is not an object with a list of bakes.
@@ -198,21 +230,40 @@ void check_manifest(const Json& manifest, const std::string& path) {
 }  // namespace
 
 std::vector<BatchEntry> read_manifest(const std::string& path) {
-    const std::vector<std::uint8_t> bytes = read_file_bytes(path);
+    const std::vector<std::uint8_t> bytes = path == "-" ? read_stdin() : read_file_bytes(path);
     const std::string text(bytes.begin(), bytes.end());
     const Json manifest = parse_json_text(text, path);
     check_manifest(manifest, path);
     const Json defaults = manifest.value(defaults_key, Json::object());
     const EntryLines entries(text);
-    const fs::path folder = fs::path(path).parent_path();
+    const MatrixKeys keys = matrix_keys(fs::path(path).parent_path());
     std::vector<BatchEntry> result;
     // An entry that is neither object nor array has the line of the last one that is.
     std::size_t objects = 0, line = 1;
     for (const Json& entry : manifest[std::string(entries_key)]) {
         if (entry.is_structured()) line = entries.lines()[objects++];
-        result.push_back(read_entry(entry, defaults, folder,
-                                    fmt::format("{}:{}: bake {}", path, line, result.size() + 1)));
+        add_entry(entry, defaults, keys, fmt::format("{}:{}", path, line), result);
     }
+    return result;
+}
+
+std::vector<BatchEntry> matrix_of_options(const std::vector<std::string>& meshes,
+                                          const std::vector<std::string>& options) {
+    Json entry = Json::object();
+    entry["mesh"] = meshes;
+    for (const std::string& option : options) {
+        const std::size_t at = option.find('=');
+        Json& values = entry[option.substr(0, at)];
+        if (at == std::string::npos)
+            values = true;
+        else
+            values.push_back(option.substr(at + 1));
+    }
+    const MatrixKeys keys = matrix_keys({});
+    for (auto& [key, values] : entry.items())  // templates are of texts
+        if (values.is_array() && values.size() == 1) values = Json(values[0]);
+    std::vector<BatchEntry> result;
+    add_entry(entry, Json::object(), keys, "command line", result);
     return result;
 }
 

@@ -21,9 +21,16 @@ struct BatchEntry {
     std::string wrong;  ///< error of the entry, one sentence; empty: none
 };
 
-/// The entries of the manifest `path`, in its order, each parsed as `burl bake` parses its options;
-/// an entry's error is stored in it (BatchEntry::wrong). Throws Error(io), or Error(invalid_file)
-/// with "file:line: ..." for a manifest that is not an object with a list of entries.
+/// The bakes of the manifest `path` ("-": of stdin, relative paths from the working directory on),
+/// in its order, those of a matrix (app/bake/batch_matrix.h) one after the other, each parsed as
+/// `burl bake` parses its options; an entry's error is stored in it (BatchEntry::wrong). Throws
+/// Error(io), or Error(invalid_file) with "file:line: ..." for a manifest that is not an object
+/// with a list of entries.
 std::vector<BatchEntry> read_manifest(const std::string& path);
+
+/// The bakes of a matrix that a command line gives: meshes or patterns of them, and options as
+/// KEY=VALUE or KEY alone, of which several with one KEY are a list.
+std::vector<BatchEntry> matrix_of_options(const std::vector<std::string>& meshes,
+                                          const std::vector<std::string>& options);
 
 }  // namespace burl

@@ -15,11 +15,10 @@
 #include "app/bake/vertex_colors.h"
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
-#include "app/base/sha256.h"
 #include "app/base/stopwatch.h"
-#include "app/base/version.h"
 #include "app/export/command_files.h"
 #include "app/export/formats.h"
+#include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
 #include "app/options/metres.h"
 #include "app/pipeline/fill_texture.h"
@@ -93,6 +92,24 @@ BakePlan plan_of(const BakeCommand& command,
     plan.shader = command.emitted_glsl;
     plan.threads = command.threads;
     return plan;
+}
+
+/// The options of --synth gl-multipass. Throws Error(usage) where one is given without it.
+MultipassOptions multipass_options(const BakeCommand& command) {
+    const std::string given = !command.gl_precision.empty()    ? "--gl-precision"
+                              : !command.gl_randomizer.empty() ? "--gl-randomizer"
+                              : command.gl_equalize            ? "--gl-equalize"
+                                                               : "";
+    if (command.synth != multipass_synth && !given.empty())
+        throw Error(ExitCode::usage, fmt::format("{} is of --synth {}; add that or leave it out",
+                                                 given, multipass_synth));
+    MultipassOptions options;
+    if (command.gl_precision == "16f") options.precision = PassPrecision::float16;
+    if (command.gl_precision == "8") options.precision = PassPrecision::fixed8;
+    if (command.gl_randomizer == "table") options.randomizer = Randomizer::table;
+    if (command.gl_randomizer == "bits") options.randomizer = Randomizer::bits;
+    options.equalize = command.gl_equalize;
+    return options;
 }
 
 }  // namespace
@@ -216,32 +233,25 @@ void BakeJob::check_idle() const {
     check_edits(command_.recipe, recipe(), command_.animation.keys);
 }
 
-Json BakeJob::what_it_is_made_from(const Json& settings) const {
-    std::vector<std::string> files = files_of_mesh(command_.mesh, MeshFiles::read);
-    if (is_pose_file(command_.pose))
-        std::ranges::move(files_of_mesh(command_.pose, MeshFiles::read), std::back_inserter(files));
-    std::ranges::move(images_of_recipe(command_.recipe.recipe, recipe()),
-                      std::back_inserter(files));
-    for (std::size_t i = 1; i < shares_.size(); ++i)
-        std::ranges::move(images_of_recipe(shares_[i].recipe.recipe, sharing_[i]),
-                          std::back_inserter(files));
-    Json made_from = {{"burl", burl_version()},
-                      {"inputs", content_of(files, command_.recipe.images->digests())},
-                      {"recipe", Json::parse(to_json(recipe()))},
-                      {"options", settings}};
-    if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
-    for (const Recipe& recipe : sharing_)
-        made_from["recipes"].push_back(Json::parse(to_json(recipe)));
-    for (const BakeJob& other : others_) {
-        made_from["recipes"].push_back(other.made_from_["recipe"]);
-        for (const Json& input : other.made_from_["inputs"]) made_from["inputs"].push_back(input);
-    }
-    if (recipes_->size() > 1) {
-        Sha256 hash;
-        for (const Recipe& recipe : *recipes_) hash.add(to_json(recipe));
-        made_from["frames"] = hash.digest();
-    }
-    return made_from;
+// OpenGL gives the bits of the kernels `direct` and `share`, so it takes no other kernel.
+std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
+    const std::string &kernel = command_.kernel, &synth = command_.synth;
+    const bool any = kernel == "auto" || kernel == "direct" || kernel == "share";
+    const MultipassOptions multipass = multipass_options(command_);
+    if (!any && synth.starts_with("gl"))
+        throw Error(ExitCode::usage,
+                    fmt::format("--kernel {} is the host's alone; leave it or --synth {} out",
+                                kernel, synth));
+    if (synth == "host" && !command_.platform.empty())
+        throw Error(ExitCode::usage,
+                    "--gl says where OpenGL comes from, and the host makes the texture; add "
+                    "--synth gl, gl-multipass or auto, or leave --gl out");
+    const std::string platform = command_.platform.empty() ? gl_platforms()[0] : command_.platform;
+    if (synth == multipass_synth) return choose_multipass(multipass, platform, *recipes_);
+    const SynthesisChoice choice = synth == "host" || !any ? SynthesisChoice::host
+                                   : synth == "gl"         ? SynthesisChoice::gl
+                                                           : SynthesisChoice::automatic;
+    return choose_synthesizer(choice, platform, *recipes_);
 }
 
 BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
@@ -336,20 +346,6 @@ Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResu
     if (result.normals && wants_report())
         report["normals"] = normals_json(pipeline, *result.normals, plan_.crease_degrees);
     if (!command_.animation.keys.empty()) report["animation"] = command_.animation.keys;
-    return report;
-}
-
-std::optional<Json> BakeJob::known_report() const {
-    if (command_.force || !command_.economy.skips().allows(Skip::up_to_date)) return std::nullopt;
-    std::optional<Json> report = report_if_up_to_date(command_.out, made_from_);
-    if (!report) return report;
-    // The folder may have been moved, or may be named from another working directory.
-    (*report)["input"] = command_.mesh;
-    if (!command_.udim)
-        (*report)["outputs"] = outputs(plan_.paths, report->at("mip_levels").get<std::uint32_t>());
-    // Normals are measured only if a report is wanted, so the record may lack them.
-    if (has_normals() && wants_report() && !report->contains("normals")) return std::nullopt;
-    (*report)["up_to_date"] = true;
     return report;
 }
 

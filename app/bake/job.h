@@ -28,6 +28,8 @@ class BakeJob {
     BakeJob(const BakeCommand& command, const Json& settings);
 
     const BakeCommand& command() const { return command_; }
+    /// Has the progress told of the bake; null: nobody is.
+    void tell(Progress* progress) { command_.told = progress; }
     /// The recipe of the first frame.
     const Recipe& recipe() const { return recipes_->front(); }
     /// All files that are read, or that the mesh's file names.

@@ -16,6 +16,7 @@ namespace burl {
 /// Throws Error if an output would replace a file that is read or another output.
 void BakeJob::check_files(const std::vector<std::string>& paths) const {
     CommandFiles files;
+    if (command_.makes_folders) files.allow_new_folders();
     files.read(inputs_);
     for (const std::string& path : outputs(paths, plan_.levels.count))
         files.write(path, path == command_.solid_map ? ".exr" : "");

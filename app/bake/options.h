@@ -52,6 +52,7 @@ struct BakeCommand {
     bool strict = false;                  ///< whether what an output cannot keep is an error
     bool udim = false;                    ///< whether each UDIM tile gets an image of its own
     bool json = false, quiet = false;     ///< print the JSON report, or nothing, on stdout
+    bool makes_folders = false;           ///< whether folders of outputs may be missing yet
     bool force = false;                   ///< bake even if the outputs are up to date
     std::string progress = "auto";        ///< a word of progress_modes
     Progress* told = nullptr;             ///< is told of the bake's progress; null: nobody is

@@ -51,6 +51,16 @@ void check_output_folder(const std::string& path) {
     }
 }
 
+/// The path of a file in the nearest of the file's folders that exists.
+std::string in_existing_folder(const std::string& path) {
+    fs::path file(path);
+    std::error_code ignored;
+    while (!file.parent_path().empty() && file.parent_path() != file &&
+           !fs::exists(file.parent_path(), ignored))
+        file = file.parent_path();
+    return file.string();
+}
+
 void check_output_file(const std::string& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
@@ -144,7 +154,7 @@ void CommandFiles::write(const std::string& path, std::string_view extension) {
                     fmt::format("{}: the name must end in {}, which is what is written there", path,
                                 extension));
     }
-    check_output_folder(path);
+    check_output_folder(new_folders_ ? in_existing_folder(path) : path);
     check_output_file(path);
     if (const auto* other = read_.find(path)) refuse_overwriting(path, other->name, "reads");
     if (const auto* other = written_.find_path(path))

@@ -44,6 +44,9 @@ class CommandFiles {
     CommandFiles(FileNames read, FileNames written)
         : read_(std::move(read)), written_(std::move(written)) {}
 
+    /// Allows outputs in folders that are missing, which the caller makes.
+    void allow_new_folders() { new_folders_ = true; }
+
     /// Adds inputs, which may be known already. Throws Error(io) for one that is an output.
     void read(std::span<const std::string> paths);
 
@@ -54,6 +57,7 @@ class CommandFiles {
 
   private:
     FileNames read_, written_;
+    bool new_folders_ = false;
 };
 
 enum class MeshFiles {

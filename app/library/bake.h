@@ -58,9 +58,10 @@ enum class ComponentType {
 /// An image: rows of pixels, row 0 first, each pixel its components one after the other, without
 /// padding. Row 0 has v = 0.
 struct ImageView {
-    std::size_t width = 0, height = 0;  ///< in pixels
-    std::size_t components = 0;         ///< 1 (a number), 3 (RGB) or 4 (RGBA)
-    ComponentType type = ComponentType::u8;
+    std::size_t width = 0;                   ///< pixels in a row
+    std::size_t height = 0;                  ///< rows
+    std::size_t components = 0;              ///< 1 (a number), 3 (RGB) or 4 (RGBA)
+    ComponentType type = ComponentType::u8;  ///< type of each component
     bool srgb = false;           ///< whether red, green and blue are sRGB codes, else linear
     const void* data = nullptr;  ///< width * height * components values
 };

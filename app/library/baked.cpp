@@ -1,4 +1,4 @@
-// What a bake has made, as views, and its files.
+// The results of a bake as views, and their files.
 #include <algorithm>
 #include <type_traits>
 #include <utility>

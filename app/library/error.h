@@ -1,5 +1,5 @@
 #pragma once
-// What every header of the library stands on: the namespace, what is exported, and the one
+// The base of every header of the library: the namespace, what is exported, and the one
 // exception. Programs write burl::Mesh; the names live in burl::library, apart from the inner ones.
 #include <stdexcept>
 #include <string>

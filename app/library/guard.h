@@ -10,7 +10,8 @@
 
 namespace burl::library {
 
-/// What `work` returns; what it throws becomes the library's Error, but for std::bad_alloc.
+/// Returns what `work` returns; an exception of it becomes the library's Error, but for
+/// std::bad_alloc.
 template <class Work>
 auto guarded(Work&& work) {
     try {

@@ -12,7 +12,7 @@ using Reached = std::function<void(const char* stage, double share)>;
 /// Work that notes its stages and ends soon after `stop` is requested.
 using StoppableWork = std::function<void(const std::stop_token& stop, const Reached& reached)>;
 
-/// What is thrown by work that was stopped.
+/// The exception of work that was stopped.
 Error stopped();
 
 /// Runs the work; with a callback on another thread, and lets what the work or the callback throws

@@ -1,5 +1,5 @@
 #pragma once
-// What is behind the library's values.
+// The representations behind the library's values.
 #include <memory>
 #include <span>
 #include <string>

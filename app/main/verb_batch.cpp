@@ -3,60 +3,62 @@
 // bakes that agree in them. Bakes whose outputs are up to date cost only the hashes of their
 // inputs.
 #include <algorithm>
-#include <chrono>
+#include <charconv>
 #include <exception>
+#include <iterator>
 #include <map>
 #include <memory>
-#include <new>
-#include <optional>
+#include <mutex>
 #include <system_error>
+#include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/bake/batch_manifest.h"
-#include "app/bake/job.h"
-#include "app/bake/up_to_date.h"
+#include "app/bake/batch_run.h"
+#include "app/bake/batch_schedule.h"
 #include "app/base/messages.h"
 #include "app/base/progress.h"
-#include "app/base/real_path.h"
 #include "app/export/command_files.h"
 #include "app/main/verbs.h"
 #include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
-#include "atlas/base/memory.h"
+#include "atlas/file/file_extension.h"
 
 namespace burl {
 
 namespace {
 
 struct BatchCommand {
-    std::string manifest;
-    BakeCommand run;  ///< options of add_run_options and add_report_options only
+    std::vector<std::string> what;  ///< a manifest, or meshes
+    std::vector<std::string> recipes, sizes, others;
+    std::string output;
+    int jobs = 0;          ///< number of bakes at a time; 0: one per core
+    std::string memory;    ///< the budget; empty: half of what there is
+    std::string shard;     ///< I/N: the part that is done; empty: all
+    bool dry_run = false;  ///< whether only to say what would be done
+    BakeCommand run;       ///< options of add_run_options and add_report_options only
+
+    bool is_manifest() const {
+        return what.size() == 1 && (what[0] == "-" || lower_extension(what[0]) == ".json");
+    }
+    /// The name of what lists the bakes, in messages.
+    std::string name() const { return is_manifest() ? what.front() : "batch"; }
+    /// The options of the matrix as KEY=VALUE.
+    std::vector<std::string> options() const;
 };
 
-/// An entry of the manifest, with its state.
-struct Bake {
-    std::string where;
-    BakeJob job;
-    std::string status{};  ///< "written", "up to date" or "failed"
-    std::string problem{};
-    ExitCode code = ExitCode::ok;
-    double seconds = 0.0;
-    std::vector<std::string> shared{};  ///< the stages that earlier entries had computed
-
-    /// The outputs, and the record of how they were made.
-    std::vector<std::string> files() const {
-        std::vector<std::string> files = job.outputs();
-        files.push_back(record_path(job.command().out));
-        return files;
-    }
-    void fail(ExitCode why, const std::string& sentence) {
-        status = "failed", code = why, problem = sentence;
-        warn(fmt::format("{}: {}", where, sentence));
-    }
-};
+std::vector<std::string> BatchCommand::options() const {
+    std::vector<std::string> all;
+    for (const std::string& recipe : recipes) all.push_back("recipe=" + recipe);
+    for (const std::string& size : sizes) all.push_back("size=" + size);
+    std::ranges::copy(others, std::back_inserter(all));
+    if (!output.empty()) all.push_back("output=" + output);
+    return all;
+}
 
 /// A counter of wrong entries, which prints each on stderr.
 class Problems {
@@ -78,7 +80,7 @@ class Problems {
 
 /// The reason why the bake may not write its outputs; empty where it may. Adds the outputs to those
 /// of the bakes before it.
-std::string clash(const Bake& bake, const FileNames& readers, FileNames& writers) {
+std::string clash(const BatchBake& bake, const FileNames& readers, FileNames& writers) {
     for (const std::string& file : bake.files()) {
         if (const auto* writer = writers.find_path(file))
             return fmt::format("{} is written by another bake, too: {}", file, writer->note);
@@ -91,25 +93,54 @@ std::string clash(const Bake& bake, const FileNames& readers, FileNames& writers
 
 /// Reports bakes that write the same file as another bake, or a file that a bake or the batch
 /// reads. Returns all files read and written.
-CommandFiles check_outputs(const BatchCommand& command, const std::vector<Bake>& bakes,
+CommandFiles check_outputs(const BatchCommand& command, const std::vector<BatchBake>& bakes,
                            Problems& problems) {
     FileNames readers, writers;
-    readers.add(command.manifest, "lists the bakes");
-    for (const Bake& bake : bakes)
+    if (command.is_manifest()) readers.add(command.what.front(), "lists the bakes");
+    for (const BatchBake& bake : bakes)
         for (const std::string& file : bake.job.inputs())
             readers.add(file, fmt::format("another bake reads: {}", bake.where));
-    for (const Bake& bake : bakes) {
+    for (const BatchBake& bake : bakes) {
         const std::string problem = clash(bake, readers, writers);
         if (!problem.empty()) problems.add(ExitCode::usage, bake.where, problem);
     }
     return {std::move(readers), std::move(writers)};
 }
 
+/// The part I of N of the bakes, I from 1, in their order: parts differ by at most one bake. Throws
+/// Error(usage) for a text that is not I/N.
+std::pair<std::size_t, std::size_t> shard_of(const std::string& text, std::size_t count) {
+    if (text.empty()) return {0, count};
+    std::size_t part = 0, parts = 0;
+    const char *begin = text.data(), *end = begin + text.size();
+    const auto [slash, first] = std::from_chars(begin, end, part);
+    const bool has_slash = first == std::errc() && slash != end && *slash == '/';
+    const auto [stop, second] = std::from_chars(has_slash ? slash + 1 : end, end, parts);
+    if (!has_slash || second != std::errc() || stop != end || part < 1 || part > parts)
+        throw Error(ExitCode::usage,
+                    fmt::format("--shard {}: must be I/N, part I of N, as 1/10", text));
+    const auto begin_of = [&](std::size_t i) {
+        return count / parts * i + count % parts * i / parts;
+    };
+    return {begin_of(part - 1), begin_of(part)};
+}
+
+/// The bakes that the command lists, in its shard.
+std::vector<BatchEntry> entries_of(const BatchCommand& command) {
+    std::vector<BatchEntry> entries = command.is_manifest()
+                                          ? read_manifest(command.what.front())
+                                          : matrix_of_options(command.what, command.options());
+    const auto [first, last] = shard_of(command.shard, entries.size());
+    entries.erase(entries.begin() + std::ptrdiff_t(last), entries.end());
+    entries.erase(entries.begin(), entries.begin() + std::ptrdiff_t(first));
+    return entries;
+}
+
 /// All entries of the manifest. Throws Error where any is wrong, after a line on stderr for each of
 /// them.
-std::vector<Bake> check_manifest(const BatchCommand& command) {
-    std::vector<BatchEntry> entries = read_manifest(command.manifest);
-    std::vector<Bake> bakes;
+std::vector<BatchBake> check_manifest(const BatchCommand& command) {
+    std::vector<BatchEntry> entries = entries_of(command);
+    std::vector<BatchBake> bakes;
     Problems problems;
     const auto images = std::make_shared<RecipeImages>();
     for (BatchEntry& entry : entries) {
@@ -117,7 +148,7 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
         entry.command.threads = command.run.threads;
         entry.command.economy = command.run.economy;
         entry.command.force = command.run.force;
-        entry.command.told = command.run.told;
+        entry.command.makes_folders = true;
         try {
             if (!entry.wrong.empty()) throw Error(ExitCode::invalid_file, entry.wrong);
             bakes.push_back({entry.where, BakeJob(entry.command, entry.settings)});
@@ -126,130 +157,13 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
         }
     }
     CommandFiles files = check_outputs(command, bakes, problems);
-    problems.throw_if_any(command.manifest, entries.size());
+    problems.throw_if_any(command.name(), entries.size());
     const std::string& report = command.run.report;
     if (!report.empty() && report != "-") files.write(report);
     return bakes;
 }
 
-/// A key that is equal for bakes that can use one pipeline.
-std::string mesh_key(const Bake& bake) {
-    const BakeCommand& command = bake.job.command();
-    const MeshFrame& frame = command.meshes.frame;
-    const Vec3d& turn = frame.rotate;
-    const GltfChoice& choice = command.meshes.read.choice;
-    std::string only;
-    for (const auto& [mesh, primitive] : choice.only)
-        only += fmt::format("{}.{},", mesh, primitive);
-    return fmt::format("{} {} {} {} {} {},{},{} {} {} {}\n{}\n{} {} {}", command.meshes.read.weld,
-                       command.meshes.read.uv_set, command.meshes.read.unshare_instances,
-                       command.displace.value_or(0), frame.up, turn.x, turn.y, turn.z, frame.scale,
-                       frame.units ? to_string(*frame.units) : "", fmt::join(choice.meshes, "\n"),
-                       fmt::join(choice.nodes, "\n"), fmt::join(choice.materials, "\n"), only,
-                       real_path(command.mesh));
-}
-
-using Group = std::vector<Bake*>;
-
-/// Sorts bakes of a mesh so that those with the same atlas, and then the same space, are adjacent,
-/// in the order of their first occurrence.
-void put_in_order(Group& group) {
-    const auto rank = [group](const auto& same) {
-        return [group, same](const Bake* bake) {
-            return std::ranges::find_if(group,
-                                        [&](const Bake* other) {
-                                            return same(bake->job.recipe(), other->job.recipe());
-                                        }) -
-                   group.begin();
-        };
-    };
-    const auto atlas = [](const Recipe& a, const Recipe& b) { return a.atlas == b.atlas; };
-    const auto space = [](const Recipe& a, const Recipe& b) {
-        return a.solid.space == b.solid.space;
-    };
-    std::ranges::stable_sort(group, {}, rank(space));
-    std::ranges::stable_sort(group, {}, rank(atlas));
-}
-
-std::vector<Group> groups_of(std::vector<Bake>& bakes) {
-    std::vector<Group> groups;
-    std::map<std::string, std::size_t> known;
-    for (Bake& bake : bakes) {
-        const auto [place, fresh] = known.emplace(mesh_key(bake), groups.size());
-        if (fresh) groups.emplace_back();
-        groups[place->second].push_back(&bake);
-    }
-    std::ranges::for_each(groups, put_in_order);
-    return groups;
-}
-
-/// A mesh that is read when the first bake needs it; a failure is kept for the others.
-class SharedMesh {
-  public:
-    /// Reads the mesh unless it has been read; returns whether it had been. Throws Error as reading
-    /// does.
-    bool read(const BakeJob& job) {
-        if (pipeline_) return true;
-        if (problem_) throw *problem_;
-        const auto start = std::chrono::steady_clock::now();
-        try {
-            pipeline_.emplace(job.command().load_mesh());
-            return_large_blocks(pipeline_->mesh().triangles.size());
-        } catch (const Error& error) {
-            problem_ = error;
-            throw;
-        }
-        seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        return false;
-    }
-    Pipeline& pipeline() { return *pipeline_; }
-    double seconds() const { return seconds_; }
-
-  private:
-    std::optional<Pipeline> pipeline_;
-    std::optional<Error> problem_;
-    double seconds_ = 0.0;
-};
-
-/// The stages that have run before and not again.
-std::vector<std::string> kept_stages(const StageRecords& before, const StageRecords& after) {
-    std::vector<std::string> names;
-    for (const Stage stage : {Stage::connectivity, Stage::layout, Stage::spans})
-        if (after[stage].runs > 0 && after[stage].runs == before[stage].runs)
-            names.emplace_back(stage_names[unsigned(stage)]);
-    return names;
-}
-
-void run(Bake& bake, SharedMesh& mesh, LaterBake later) {
-    if (bake.job.known_report()) {
-        bake.status = "up to date";
-        return;
-    }
-    const auto synthesizer = bake.job.synthesizer();
-    const bool had_mesh = mesh.read(bake.job);
-    const StageRecords before = mesh.pipeline().records();
-    bake.job.run(mesh.pipeline(), synthesizer, had_mesh ? 0.0 : mesh.seconds(), later);
-    if (had_mesh) {
-        bake.shared = kept_stages(before, mesh.pipeline().records());
-        bake.shared.insert(bake.shared.begin(), "mesh");
-    }
-    bake.status = "written";
-}
-
-/// Runs a bake; its errors do not end the batch.
-void run_alone(Bake& bake, SharedMesh& mesh, LaterBake later) {
-    const auto start = std::chrono::steady_clock::now();
-    try {
-        run(bake, mesh, later);
-    } catch (const Error& error) {
-        bake.fail(error.code(), error.what());
-    } catch (const std::bad_alloc&) {
-        bake.fail(ExitCode::runtime, "out of memory; try a smaller size or mesh");
-    }
-    bake.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::string line_of(const Bake& bake) {
+std::string line_of(const BatchBake& bake) {
     const std::string& out = bake.job.command().out;
     if (bake.status != "written") return fmt::format("{}: {}", out, bake.status);
     const std::string shared =
@@ -257,12 +171,12 @@ std::string line_of(const Bake& bake) {
     return fmt::format("{}: written, {:.2f} s{}", out, bake.seconds, shared);
 }
 
-Json batch_json(const std::vector<Bake>& bakes) {
+Json batch_json(const std::vector<BatchBake>& bakes) {
     Json list = Json::array();
     std::map<std::string, std::size_t> counts{{"written", 0}, {"up to date", 0}, {"failed", 0}};
     std::map<std::string, std::size_t> shared{
         {"mesh", 0}, {"connectivity", 0}, {"layout", 0}, {"spans", 0}};
-    for (const Bake& bake : bakes) {
+    for (const BatchBake& bake : bakes) {
         ++counts[bake.status];
         for (const std::string& stage : bake.shared) ++shared[stage];
         list.push_back({{"where", bake.where},
@@ -276,81 +190,173 @@ Json batch_json(const std::vector<Bake>& bakes) {
     return {{"bakes", std::move(list)}, {"counts", counts}, {"shared", shared}};
 }
 
-LaterBake later_of(const Group& group, std::size_t i) {
-    if (i + 1 == group.size()) return LaterBake::none;
-    const bool same = group[i]->job.recipe().atlas == group[i + 1]->job.recipe().atlas;
-    return same ? LaterBake::atlas : LaterBake::mesh;
-}
-
-/// Whether a bake of the group can reuse synthesis results of the one before or of an earlier
-/// frame.
-bool has_several_textures(const Group& group) {
-    for (std::size_t i = 0; i < group.size(); ++i)
-        if (group[i]->job.command().animation.asked() || later_of(group, i) == LaterBake::atlas)
-            return true;
-    return false;
-}
-
-void check_cache(const BakeCommand& run, const std::vector<Group>& groups) {
+void check_cache(const BakeCommand& run, const std::vector<BatchGroup>& groups) {
     if (run.economy.cache_megabytes && std::ranges::none_of(groups, has_several_textures))
         throw Error(ExitCode::usage,
                     "--cache does nothing: no bake has frames, and no two have one mesh and atlas; "
                     "leave it out");
 }
 
-/// Runs all bakes and prints a line for each where `speaks` is set. A line that cannot be written
-/// does not stop the bakes: no more lines are printed, and the exception is returned.
-std::exception_ptr run_all(const std::vector<Group>& groups, bool speaks, Progress& progress) {
-    std::exception_ptr silenced;
-    std::size_t count = 0, next = 0;
-    for (const Group& group : groups) count += group.size();
-    for (const Group& group : groups) {
-        SharedMesh mesh;
-        for (std::size_t i = 0; i < group.size(); ++i) {
-            progress.begin_item(group[i]->job.command().out, next++, count, tasks::read);
-            run_alone(*group[i], mesh, later_of(group, i));
-            if (!speaks || silenced) continue;
-            try {
-                print_line(line_of(*group[i]));
-            } catch (const std::system_error&) {
-                silenced = std::current_exception();
-            }
+/// The number of bakes at a time: with OpenGL, whose context is one thread's, one.
+int workers_of(const BatchCommand& command, const std::vector<BatchBake>& bakes) {
+    const bool any_gl = std::ranges::any_of(
+        bakes, [](const BatchBake& bake) { return bake.job.command().synth != "host"; });
+    if (any_gl) return 1;
+    return command.jobs > 0 ? command.jobs : int(std::thread::hardware_concurrency());
+}
+
+/// The lines of the bakes, printed as they are done. A line that cannot be written does not stop
+/// the bakes: no more lines are printed, and the exception is kept.
+class BatchLines {
+  public:
+    explicit BatchLines(bool speaks) : speaks_(speaks) {}
+    void print(const BatchBake& bake) {
+        const std::scoped_lock lock(mutex_);
+        if (!speaks_ || silenced_) return;
+        try {
+            print_line(line_of(bake));
+        } catch (const std::system_error&) {
+            silenced_ = std::current_exception();
         }
     }
-    return silenced;
+    void throw_if_silenced() const {
+        if (silenced_) std::rethrow_exception(silenced_);
+    }
+
+  private:
+    bool speaks_;
+    std::exception_ptr silenced_;
+    std::mutex mutex_;
+};
+
+/// The most bytes that a bake of the group holds.
+std::uint64_t bytes_held(const BatchGroup& group) {
+    std::uint64_t most = 0;
+    for (const BatchBake* bake : group) most = std::max(most, bytes_held(bake->job));
+    return most;
+}
+
+/// Tells the progress of bakes that workers make: of one worker task by task, of several bake by
+/// bake.
+class BatchProgress {
+  public:
+    BatchProgress(Progress& progress, std::size_t count, bool alone)
+        : progress_(progress), count_(count), alone_(alone) {}
+    void begins(const BatchBake& bake) {
+        const std::scoped_lock lock(mutex_);
+        progress_.begin_item(bake.job.command().out, done_, count_,
+                             alone_ ? tasks::read : tasks::bakes);
+    }
+    void done() {
+        const std::scoped_lock lock(mutex_);
+        ++done_;
+    }
+
+  private:
+    Progress& progress_;
+    std::size_t done_ = 0, count_;
+    bool alone_;
+    std::mutex mutex_;
+};
+
+/// Bakes of one mesh are parted where that keeps all workers busy: each part reads the mesh anew.
+constexpr std::size_t parts_per_worker = 4, fewest_in_a_part = 16;
+
+void run_all(const BatchCommand& command, std::vector<BatchBake>& bakes, BatchLines& lines,
+             Progress& progress) {
+    std::vector<BatchGroup> groups = batch_groups(bakes);
+    check_cache(command.run, groups);
+    const int workers = workers_of(command, bakes);
+    if (workers == 1)
+        for (BatchBake& bake : bakes) bake.job.tell(&progress);
+    BatchProgress told(progress, bakes.size(), workers == 1);
+    if (workers > 1)
+        groups = split_groups(
+            groups,
+            std::max(fewest_in_a_part, bakes.size() / (std::size_t(workers) * parts_per_worker)));
+    std::vector<QueuedJob> jobs;
+    for (const BatchGroup& group : groups)
+        jobs.push_back({bytes_held(group), [&group, &lines, &told] {
+                            run_group(
+                                group, [&](const BatchBake& bake) { told.begins(bake); },
+                                [&](const BatchBake& bake) {
+                                    lines.print(bake);
+                                    told.done();
+                                });
+                        }});
+    run_jobs(jobs, workers,
+             command.memory.empty() ? default_budget() : memory_size(command.memory));
+}
+
+/// Says of each bake whether it would be made.
+void plan_all(std::vector<BatchBake>& bakes, BatchLines& lines) {
+    for (BatchBake& bake : bakes) {
+        bake.status = bake.job.known_report() ? "up to date" : "planned";
+        lines.print(bake);
+    }
+}
+
+/// Lists the failures, of which the first gives the exit code. Throws Error where there are any.
+void throw_if_failed(const BatchCommand& command, const std::vector<BatchBake>& bakes) {
+    const auto failed = std::ranges::count(bakes, "failed", &BatchBake::status);
+    if (failed == 0) return;
+    for (const BatchBake& bake : bakes)
+        if (bake.status == "failed") warn(fmt::format("{}: {}", bake.where, bake.problem));
+    throw Error(std::ranges::find(bakes, "failed", &BatchBake::status)->code,
+                fmt::format("{}: {} of {} bakes failed; the others are written", command.name(),
+                            failed, bakes.size()));
 }
 
 void run_batch(BatchCommand command) {
     BakeCommand& run = command.run;
     check_report_options(run.json, run.report, run.quiet);
     Progress progress(progress_mode(run.progress, run.quiet));
-    run.told = &progress;
-    std::vector<Bake> bakes = check_manifest(command);
-    const std::vector<Group> groups = groups_of(bakes);
-    check_cache(run, groups);
-    const std::exception_ptr silenced =
-        run_all(groups, !run.json && !run.quiet && run.report != "-", progress);
+    std::vector<BatchBake> bakes = check_manifest(command);
+    BatchLines lines(!run.json && !run.quiet && run.report != "-");
+    if (command.dry_run)
+        plan_all(bakes, lines);
+    else
+        run_all(command, bakes, lines, progress);
     progress.finish();
     const Json report = batch_json(bakes);
     if (!run.report.empty()) write_json(run.report, report);
     if (run.json) write_json("-", report);
-    const auto failed = std::ranges::count(bakes, "failed", &Bake::status);
-    const auto first = std::ranges::find(bakes, "failed", &Bake::status);
-    if (failed > 0)
-        throw Error(first->code, fmt::format("{}: {} of {} bakes failed; the others are written",
-                                             command.manifest, failed, bakes.size()));
-    if (silenced) std::rethrow_exception(silenced);
+    throw_if_failed(command, bakes);
+    lines.throw_if_silenced();
 }
 
 }  // namespace
 
 void add_batch(CLI::App& program) {
     auto* verb = program.add_subcommand(
-        "batch", "Bake all that a manifest lists, sharing what several have in common");
+        "batch", "Bake all that a manifest or a matrix lists, sharing what several have in common");
     auto command = std::make_shared<BatchCommand>();
-    verb->add_option("manifest", command->manifest,
-                     "JSON file with the bakes: objects of `burl bake`'s options")
+    verb->add_option("what", command->what,
+                     "JSON file with the bakes, objects of `burl bake`'s options (- reads stdin); "
+                     "or meshes and patterns of them, such as 'parts/*.obj'")
         ->required();
+    const auto add_list = [&](const char* names, std::vector<std::string>& values,
+                              const char* help) {
+        verb->add_option(names, values, help)
+            ->allow_extra_args(false)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    };
+    add_list("--recipe,-r", command->recipes, "Recipe for the meshes; may be repeated");
+    add_list("--size,-s", command->sizes, "Side of the textures in texels; may be repeated");
+    add_list("--with", command->others,
+             "KEY=VALUE, or KEY for a flag: any other option of `burl bake`, without its dashes; "
+             "several values of one KEY are a bake each");
+    verb->add_option("--output,-o", command->output,
+                     "Name of the meshes' outputs, as 'out/{mesh}_{recipe}_{size}.glb'; folders "
+                     "are made");
+    verb->add_option("--jobs", command->jobs, "Number of bakes at a time; 0 is one per core")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    verb->add_option("--memory", command->memory,
+                     "Memory for bakes at a time, such as 4G; left out: half of the machine's");
+    verb->add_option("--shard", command->shard,
+                     "I/N: bake part I of N only, for several machines or runs");
+    verb->add_flag("--dry-run", command->dry_run, "Check all and say what would be baked");
     add_run_options(*verb, command->run);
     add_report_options(*verb, command->run);
     verb->callback([command] { run_batch(*command); });

@@ -15,7 +15,7 @@
 
 namespace burl {
 
-/// What is measured.
+/// The subject of a measurement.
 struct MeasuringPlan {
     Recipe recipe{};               ///< with the atlas's size
     bool looks_up_recipe = false;  ///< whether lookups are of its texture, else of metric-marble

@@ -11,5 +11,6 @@ inline constexpr const char* levels = "making MIP levels";
 inline constexpr const char* normals = "deriving normals";
 inline constexpr const char* pictures = "encoding pictures";
 inline constexpr const char* write = "writing";
+inline constexpr const char* bakes = "baking";  ///< of several bakes at a time
 
 }  // namespace burl::tasks

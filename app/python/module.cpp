@@ -40,7 +40,7 @@ const char* word_of(ErrorKind kind) {
     }
 }
 
-/// What `work` returns, during which other threads of Python run.
+/// Returns what `work` returns; meanwhile other threads of Python run.
 template <class Work>
 auto released(Work&& work) {
     const py::gil_scoped_release release;

@@ -29,3 +29,10 @@ if(TARGET burl_python)
         file(RPATH_REMOVE FILE \"\$ENV{DESTDIR}/usr/${python_dir}/$<TARGET_FILE_NAME:burl_python>\")
     endif()" COMPONENT python)
 endif()
+
+# Pages of the library, where Doxygen is: build/release/api/html.
+find_program(DOXYGEN doxygen)
+if(DOXYGEN)
+    configure_file(${CMAKE_CURRENT_LIST_DIR}/Doxyfile.in ${CMAKE_CURRENT_BINARY_DIR}/Doxyfile @ONLY)
+    add_custom_target(burl_api COMMAND ${DOXYGEN} ${CMAKE_CURRENT_BINARY_DIR}/Doxyfile VERBATIM)
+endif()

@@ -31,8 +31,8 @@ foreach(pair burl=${BURL} burl-edit=${EDIT})
     write(${program} fish/vendor_completions.d/${name}.fish ${ask} fish)
 endforeach()
 
-# Debian's changelog has the newest version's date; what changed is in docs/changelog.md.
-file(STRINGS ${CHANGELOG} newest REGEX "^## " LIMIT_COUNT 1)
+# Debian's changelog has the newest version's date; what changed, and what will be in the next version, is in docs/changelog.md.
+file(STRINGS ${CHANGELOG} newest REGEX "^## [0-9]" LIMIT_COUNT 1)
 string(REGEX REPLACE "^## ([^ ]+) .*" "\\1" version "${newest}")
 string(REGEX REPLACE ".*\\(([0-9-]+)\\).*" "\\1" day "${newest}")
 if(NOT version STREQUAL VERSION)

@@ -97,6 +97,27 @@ TEST(Library, WritesTheProgramsPictures) {
     EXPECT_GE(pictures, 3u);  // colour, occlusion and what oak varies
 }
 
+TEST(Library, WritesTheProgramsFloats) {
+    const fs::path path = folder();
+    const burl::Mesh torus = burl::Mesh::read("sample:torus");
+    for (const std::string recipe : {"marble", "oak"})  // a texture alone, and a material
+        for (const int levels : {0, -1}) {
+            burl::BakeOptions options;
+            options.size = 64;
+            options.depth = 32;
+            options.levels = levels;
+            options.packing = "separate";
+            const burl::Baked baked = burl::bake(torus, burl::Recipe::load(recipe), options);
+            burl::write(baked, (path / "ours.exr").string());
+            run_burl("bake sample:torus --depth 32 --size 64 --force --recipe " + recipe +
+                     (levels == 0 ? "" : " --levels all") + " -o " +
+                     (path / "theirs.exr").string());
+            EXPECT_TRUE(bytes_of(path / "ours.exr") == bytes_of(path / "theirs.exr"))
+                << recipe << ' ' << levels;
+            EXPECT_GT(bytes_of(path / "ours.exr").size(), 10000u);
+        }
+}
+
 TEST(Library, BakesTheSameFloats) {
     // A float and its code of 8 bits are the same value: sRGB's formula (IEC 61966-2-1) says so.
     const burl::Mesh mesh = burl::Mesh::read("sample:cube");
