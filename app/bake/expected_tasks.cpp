@@ -15,8 +15,8 @@ namespace {
 constexpr double averaging_seconds = 60e-9;  ///< of a picture's MIP levels
 constexpr double encoding_seconds = 80e-9;   ///< of a picture of 8 bits
 constexpr double writing_seconds = 4e-9;     ///< of a picture, by any number of threads
-/// How much longer normals take than the texture, about: from 1.4 to 2.6 times.
-constexpr double normals_to_texture = 2.0;
+/// How much longer normals take than the texture, about: from 1.1 to 2.6 times.
+constexpr double normals_to_texture = 1.6;
 
 double threads_at_work(const BakePlan& plan) {
     const auto all =
