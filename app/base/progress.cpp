@@ -23,7 +23,7 @@ constexpr TaskMeter::Clock::duration plain_period = std::chrono::seconds(10);
 constexpr double least_share = 0.005, least_seconds = 0.3;
 
 /// The seconds left of the task under way; none: not known. What was expected gives way to the pace
-/// over the first fifth, as a task may have something to prepare.
+/// over the first twentieth, as a task may have something to prepare.
 std::optional<double> left_of_task(const TaskMeter::Reading& reading, const ExpectedTask& task) {
     const double share = reading.share();
     const bool has_pace = share >= least_share && reading.seconds >= least_seconds;
@@ -31,7 +31,7 @@ std::optional<double> left_of_task(const TaskMeter::Reading& reading, const Expe
     const double by_pace = has_pace ? reading.seconds * (1.0 - share) / share : 0.0;
     if (!task.seconds) return by_pace;
     const double as_expected = std::max(0.0, *task.seconds - reading.seconds);
-    const double weight = has_pace ? std::min(1.0, 5.0 * share) : 0.0;
+    const double weight = has_pace ? std::min(1.0, 20.0 * share) : 0.0;
     return weight * by_pace + (1.0 - weight) * as_expected;
 }
 

@@ -272,9 +272,9 @@ Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const Mes
             return *image;
         }
     const MaskImages read = masks(solid, recipe.bump.input, GraphOutput::color, {});
-    context.begin(tasks::normals, std::uint64_t(solid.size) * solid.size);
     Image<Pixel> map = context.records.time(Stage::normals, [&](StageCost& cost) {
         if (!frames_ || frames_->key != key) frames_ = make_normal_frames(mesh, atlas, key);
+        context.begin(tasks::normals, std::uint64_t(solid.size) * solid.size);
         Image<Pixel> image = synthesize_normals<Pixel>(
             solid,
             {atlas.mesh(mesh), atlas.atlas(), frames_->positions, frames_->normals,

@@ -40,7 +40,7 @@ TEST(TimeLeft, OfALaterTaskKnowsHowLongTheTextureTook) {
     reading.seconds = 40.0;
     EXPECT_DOUBLE_EQ(*time_left(reading, three).seconds, 5.0) << "longer than expected";
     EXPECT_DOUBLE_EQ(*time_left(at("writing", 500, 8.0), three).seconds, 8.0);
-    EXPECT_DOUBLE_EQ(*time_left(at("writing", 100, 1.0), three).seconds, 0.5 * 9.0 + 0.5 * 4.0)
+    EXPECT_DOUBLE_EQ(*time_left(at("writing", 25, 1.0), three).seconds, 0.5 * 39.0 + 0.5 * 4.0)
         << "half by the pace, half as expected";
 }
 

@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/base/json_text.h"
 #include "tests/app/programs/run_program.h"
@@ -92,15 +93,15 @@ TEST(ProgressOfBakes, IsSilentWhereNobodyAsks) {
 TEST(ProgressOfBakes, IsOneLineOfATerminal) {
     const Scratch scratch;
     const std::string command =
-        fmt::format("'{}/bin/burl' {}", binary_folder(), long_bake(scratch / "a.png", ""));
+        fmt::format("'{}/bin/burl' {}", binary_folder(), long_bake(scratch / "a.png", "", 2048));
     const std::string typed = scratch / "typed.txt";
     ASSERT_EQ(
         std::system(
             fmt::format("script -qec \"{}\" /dev/null >'{}' </dev/null", command, typed).c_str()),
         0);
     const std::string text = slurp(typed);
-    EXPECT_THAT(text, HasSubstr("synthesising the texture"));
-    EXPECT_THAT(text, HasSubstr("Mtexel/s"));
+    EXPECT_THAT(text, HasSubstr("deriving normals"));
+    EXPECT_THAT(text, HasSubstr("texel/s"));
     EXPECT_THAT(text, HasSubstr(" left"));
     // The last line that was drawn is cleared before the summary comes.
     const std::size_t cleared = text.rfind("\r\x1b[K");
@@ -173,7 +174,7 @@ TEST(InterruptedBakes, EndSoonAndLeaveNothing) {
     std::mt19937 random(1);
     int ended = 0;
     for (const int signal : {SIGINT, SIGTERM, SIGINT, SIGINT, SIGHUP, SIGINT, SIGINT, SIGINT}) {
-        Running bake(long_bake(out, "-q --levels all"));
+        Running bake(long_bake(out, "-q --levels all", 2048));
         std::this_thread::sleep_for(std::chrono::milliseconds(random() % 2000));
         if (bake.has_ended()) {
             EXPECT_NE(slurp(out), "old");
