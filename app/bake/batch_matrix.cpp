@@ -25,14 +25,16 @@ bool is_among(const Keys& keys, const std::string& key) {
     return std::ranges::find(keys, key) != keys.end();
 }
 
-/// The paths that match a pattern, relative ones from the folder on.
+/// The paths that match a pattern with `*` and `?`, relative ones from the folder on.
 std::vector<std::string> matches_of(const std::string& pattern, const std::string& folder) {
-    const std::string whole = (fs::path(folder) / pattern).string();
+    std::string whole;
+    for (const char c : (fs::path(folder) / pattern).string())
+        whole += c == '[' ? "[[]" : std::string(1, c);  // stands for itself
     glob_t found{};
-    const int failed = ::glob(whole.c_str(), 0, nullptr, &found);
+    const int failed = ::glob(whole.c_str(), GLOB_NOESCAPE, nullptr, &found);
     const std::unique_ptr<glob_t, decltype(&globfree)> release(&found, globfree);
     if (failed != 0)
-        throw Error(ExitCode::invalid_file, fmt::format("no file has such a name: {}", whole));
+        throw Error(ExitCode::invalid_file, fmt::format("no file has such a name: {}", pattern));
     std::vector<std::string> paths;
     for (std::size_t i = 0; i < found.gl_pathc; ++i)
         paths.push_back(fs::absolute(found.gl_pathv[i]).string());
@@ -45,7 +47,7 @@ Json elements_of(const std::string& key, const Json& value, const MatrixKeys& ke
     const auto add = [&](const Json& one) {
         const bool text = one.is_string() && is_among(input_keys, key);
         const std::string pattern = text ? one.get<std::string>() : "";
-        if (pattern.find_first_of("*?[") == std::string::npos || !keys.names_file(key, pattern))
+        if (pattern.find_first_of("*?") == std::string::npos || !keys.names_file(key, pattern))
             return elements.push_back(one);
         for (std::string& path : matches_of(pattern, keys.folder)) elements.push_back(path);
     };

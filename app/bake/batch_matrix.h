@@ -15,7 +15,7 @@ namespace burl {
 struct MatrixKeys {
     /// Whether the option takes one value, so that a list of them means a bake for each.
     std::function<bool(const std::string& key)> takes_one{};
-    /// Whether the value of the key is a path, which may be a pattern with `*`, `?` and `[a-z]` if
+    /// Whether the value of the key is a path, which may be a pattern with `*` and `?` if
     /// it is the mesh, the recipe or the pose.
     std::function<bool(const std::string& key, const std::string& value)> names_file{};
     std::string folder{};  ///< where relative patterns start

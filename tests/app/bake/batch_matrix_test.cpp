@@ -45,10 +45,11 @@ TEST(BatchMatrix, EveryCombinationInOrder) {
 
 TEST(BatchMatrix, PatternsAreTheFilesThatMatch) {
     const ScratchFolder folder;
-    for (const char* name : {"b.obj", "a.obj", "c.ply", "ab.obj"}) std::ofstream(folder / name);
-    const Json entry = Json::parse(R"({"mesh": ["*.ply", "[ab]*.obj"], "output": "{mesh}.png"})");
+    for (const char* name : {"b.obj", "a.obj", "c.ply", "[b]1.obj"}) std::ofstream(folder / name);
+    const Json entry =
+        Json::parse(R"({"mesh": ["*.ply", "[b]*.obj", "?.obj"], "output": "{mesh}.png"})");
     const std::vector<Json> bakes = combinations(entry, keys_in(folder.path()));
-    EXPECT_THAT(outputs_of(bakes), testing::ElementsAre("c.png", "a.png", "ab.png", "b.png"));
+    EXPECT_THAT(outputs_of(bakes), testing::ElementsAre("c.png", "[b]1.png", "a.png", "b.png"));
     EXPECT_EQ(bakes[0]["mesh"], folder / "c.ply");
 }
 

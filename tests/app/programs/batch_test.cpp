@@ -135,7 +135,7 @@ TEST_F(Batch, NothingIsBakedWhereAnEntryIsWrong) {
         {"mesh": "square.obj", "output": "a.png"},
         {"mesh": "square.obj", "output": "b.png", "sise": 64},
         {"mesh": "square.obj", "output": "c.png", "recipe": "marbel"},
-        {"mesh": "square.obj", "output": "none/d.png"},
+        {"mesh": "square.obj", "output": "square.obj/d.png"},
         {"mesh": "square.obj", "output": "e.png", "depth": 9},
         {"mesh": "square.obj", "output": "./a.png", "size": 64},
         {"output": "f.png"},
@@ -145,7 +145,7 @@ TEST_F(Batch, NothingIsBakedWhereAnEntryIsWrong) {
     EXPECT_EQ(scratch.files(), 3u);  // the meshes and the manifest
     for (const char* part :
          {"batch.json:3: bake 2 (b.png): there is no option 'sise'; did you mean 'size'?",
-          "batch.json:4: bake 3 (c.png): ", "batch.json:5: bake 4 (none/d.png): ",
+          "batch.json:4: bake 3 (c.png): ", "batch.json:5: bake 4 (square.obj/d.png): ",
           "batch.json:6: bake 5 (e.png): ", "batch.json:7: bake 6 (./a.png): ",
           "written by another bake, too: ", "batch.json:8: bake 7 (f.png): ",
           "batch.json:9: bake 8 (g.png): 'set' must be", "bake 9: an entry must be an object",
