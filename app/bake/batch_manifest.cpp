@@ -1,11 +1,14 @@
 #include "app/bake/batch_manifest.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -192,21 +195,58 @@ BatchEntry read_bake(const Json& bake, const fs::path& folder, const std::string
     return result;
 }
 
-/// Adds the bakes that an entry stands for, with their place `where` in the manifest; an entry's
-/// own error is stored in one of them.
-void add_entry(const Json& entry, const Json& defaults, const MatrixKeys& keys,
-               const std::string& where, std::vector<BatchEntry>& bakes) {
-    const auto place = [&] { return fmt::format("{}: bake {}", where, bakes.size() + 1); };
+/// An entry of the manifest with its place; without combinations it is wrong.
+struct ManifestEntry {
+    std::string where;
+    std::optional<Combinations> bakes{};
+    std::string wrong{};
+
+    std::size_t count() const { return bakes ? bakes->count() : 1; }
+};
+
+/// An entry with its place `where`; its own error is stored in it.
+ManifestEntry manifest_entry(const Json& entry, const Json& defaults, const MatrixKeys& keys,
+                             std::string where) {
+    ManifestEntry result{std::move(where)};
     try {
         if (!entry.is_object())
             throw Error(ExitCode::invalid_file,
                         "an entry must be an object such as "
                         R"({"mesh": "a.obj", "output": "a.png"})");
-        for (const Json& bake : combinations(with_defaults(defaults, entry), keys))
-            bakes.push_back(read_bake(bake, keys.folder, place()));
+        result.bakes.emplace(with_defaults(defaults, entry), keys);
     } catch (const Error& error) {
-        bakes.push_back({place(), {}, {}, error.what()});
+        result.wrong = error.what();
     }
+    return result;
+}
+
+/// The bake number i of an entry.
+BatchEntry bake_of(const ManifestEntry& entry, std::size_t i, const fs::path& folder,
+                   const std::string& place) {
+    try {
+        if (entry.bakes) return read_bake((*entry.bakes)[i], folder, place);
+        return {place, {}, {}, entry.wrong};
+    } catch (const Error& error) {
+        return {place, {}, {}, error.what()};
+    }
+}
+
+/// The bakes of the entries that are in the shard.
+std::vector<BatchEntry> bakes_of(const std::vector<ManifestEntry>& entries, const fs::path& folder,
+                                 const BatchShard& shard) {
+    std::size_t count = 0;
+    for (const ManifestEntry& entry : entries) count += entry.count();
+    std::vector<BatchEntry> bakes;
+    std::size_t begin = 0;  // of the entry's bakes among all
+    for (const ManifestEntry& entry : entries) {
+        const std::size_t first = std::max(begin, shard.first(count)),
+                          last = std::min(begin + entry.count(), shard.last(count));
+        for (std::size_t i = first; i < last; ++i)
+            bakes.push_back(
+                bake_of(entry, i - begin, folder, fmt::format("{}: bake {}", entry.where, i + 1)));
+        begin += entry.count();
+    }
+    return bakes;
 }
 
 std::vector<std::uint8_t> read_stdin() {
@@ -229,7 +269,20 @@ void check_manifest(const Json& manifest, const std::string& path) {
 
 }  // namespace
 
-std::vector<BatchEntry> read_manifest(const std::string& path) {
+BatchShard batch_shard(const std::string& text) {
+    if (text.empty()) return {};
+    std::size_t part = 0, parts = 0;
+    const char *begin = text.data(), *end = begin + text.size();
+    const auto [slash, first] = std::from_chars(begin, end, part);
+    const bool has_slash = first == std::errc() && slash != end && *slash == '/';
+    const auto [stop, second] = std::from_chars(has_slash ? slash + 1 : end, end, parts);
+    if (!has_slash || second != std::errc() || stop != end || part < 1 || part > parts)
+        throw Error(ExitCode::usage,
+                    fmt::format("--shard {}: must be I/N, part I of N, as 1/10", text));
+    return {part - 1, parts};
+}
+
+std::vector<BatchEntry> read_manifest(const std::string& path, const BatchShard& shard) {
     const std::vector<std::uint8_t> bytes = path == "-" ? read_stdin() : read_file_bytes(path);
     const std::string text(bytes.begin(), bytes.end());
     const Json manifest = parse_json_text(text, path);
@@ -237,18 +290,19 @@ std::vector<BatchEntry> read_manifest(const std::string& path) {
     const Json defaults = manifest.value(defaults_key, Json::object());
     const EntryLines entries(text);
     const MatrixKeys keys = matrix_keys(fs::path(path).parent_path());
-    std::vector<BatchEntry> result;
+    std::vector<ManifestEntry> result;
     // An entry that is neither object nor array has the line of the last one that is.
     std::size_t objects = 0, line = 1;
     for (const Json& entry : manifest[std::string(entries_key)]) {
         if (entry.is_structured()) line = entries.lines()[objects++];
-        add_entry(entry, defaults, keys, fmt::format("{}:{}", path, line), result);
+        result.push_back(manifest_entry(entry, defaults, keys, fmt::format("{}:{}", path, line)));
     }
-    return result;
+    return bakes_of(result, keys.folder, shard);
 }
 
 std::vector<BatchEntry> matrix_of_options(const std::vector<std::string>& meshes,
-                                          const std::vector<std::string>& options) {
+                                          const std::vector<std::string>& options,
+                                          const BatchShard& shard) {
     Json entry = Json::object();
     entry["mesh"] = meshes;
     for (const std::string& option : options) {
@@ -262,9 +316,9 @@ std::vector<BatchEntry> matrix_of_options(const std::vector<std::string>& meshes
     const MatrixKeys keys = matrix_keys({});
     for (auto& [key, values] : entry.items())  // templates are of texts
         if (values.is_array() && values.size() == 1) values = Json(values[0]);
-    std::vector<BatchEntry> result;
-    add_entry(entry, Json::object(), keys, "command line", result);
-    return result;
+    std::vector<ManifestEntry> entries;
+    entries.push_back(manifest_entry(entry, Json::object(), keys, "command line"));
+    return bakes_of(entries, keys.folder, shard);
 }
 
 }  // namespace burl

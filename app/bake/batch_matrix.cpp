@@ -101,21 +101,26 @@ void fill_names(Json& entry, const MatrixKeys& keys) {
 
 }  // namespace
 
-std::vector<Json> combinations(const Json& entry, const MatrixKeys& keys) {
-    if (!entry.is_object()) return {entry};
-    std::vector<Json> all{Json::object()};
-    for (const auto& item : entry.items()) {
-        const Json elements = elements_of(item.key(), item.value(), keys);
-        std::vector<Json> longer;
-        for (const Json& one : all)
-            for (const Json& element : elements) {
-                longer.push_back(one);
-                longer.back()[item.key()] = element;
-            }
-        all = std::move(longer);
+Combinations::Combinations(const Json& entry, const MatrixKeys& keys) : keys_(keys) {
+    for (const auto& item : entry.items())
+        axes_.emplace_back(item.key(), elements_of(item.key(), item.value(), keys));
+}
+
+std::size_t Combinations::count() const {
+    std::size_t count = 1;
+    for (const auto& [key, elements] : axes_) count *= elements.size();
+    return count;
+}
+
+Json Combinations::operator[](std::size_t i) const {
+    Json bake = Json::object();
+    std::size_t slower = count();
+    for (const auto& [key, elements] : axes_) {
+        slower /= elements.size();
+        bake[key] = elements[i / slower % elements.size()];
     }
-    for (Json& one : all) fill_names(one, keys);
-    return all;
+    fill_names(bake, keys_);
+    return bake;
 }
 
 }  // namespace burl

@@ -1,8 +1,10 @@
 #pragma once
 // An entry of a manifest that stands for several bakes: lists and patterns of meshes, recipes,
 // sizes and all other options that take one value, and templates of file names.
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -21,12 +23,25 @@ struct MatrixKeys {
     std::string folder{};  ///< where relative patterns start
 };
 
-/// The bakes that the entry stands for: every combination of the elements of its lists, the first
+/// The bakes that an entry stands for: every combination of the elements of its lists, the first
 /// list changing slowest, with patterns replaced by the paths that match, in alphabetical order. In
 /// the values of `output`, `solid-map` and `emit-glsl`, {KEY} is replaced by that bake's value of
-/// the key, and of a path by its file's name without folder and extension. An entry that is no
-/// object, without lists and patterns is itself. Throws Error(invalid_file) for an empty list, a
-/// pattern that nothing matches, and a {KEY} that the entry does not have.
-std::vector<Json> combinations(const Json& entry, const MatrixKeys& keys);
+/// the key, and of a path by its file's name without folder and extension. An entry
+/// without lists and patterns is itself. Bakes are made when they are asked for: of a million, a
+/// shard makes its own alone.
+class Combinations {
+  public:
+    /// Takes an entry, an object; `keys` must outlive this object. Throws Error(invalid_file) for
+    /// an empty list and a pattern that nothing matches.
+    Combinations(const Json& entry, const MatrixKeys& keys);
+
+    std::size_t count() const;
+    /// The bake number i, from 0 on. Throws Error(invalid_file) for a {KEY} that it does not have.
+    Json operator[](std::size_t i) const;
+
+  private:
+    std::vector<std::pair<std::string, Json>> axes_;  ///< keys with the elements of their lists
+    const MatrixKeys& keys_;
+};
 
 }  // namespace burl

@@ -3,7 +3,6 @@
 // bakes that agree in them. Bakes whose outputs are up to date cost only the hashes of their
 // inputs.
 #include <algorithm>
-#include <charconv>
 #include <exception>
 #include <iterator>
 #include <map>
@@ -106,33 +105,11 @@ CommandFiles check_outputs(const BatchCommand& command, const std::vector<BatchB
     return {std::move(readers), std::move(writers)};
 }
 
-/// The part I of N of the bakes, I from 1, in their order: parts differ by at most one bake. Throws
-/// Error(usage) for a text that is not I/N.
-std::pair<std::size_t, std::size_t> shard_of(const std::string& text, std::size_t count) {
-    if (text.empty()) return {0, count};
-    std::size_t part = 0, parts = 0;
-    const char *begin = text.data(), *end = begin + text.size();
-    const auto [slash, first] = std::from_chars(begin, end, part);
-    const bool has_slash = first == std::errc() && slash != end && *slash == '/';
-    const auto [stop, second] = std::from_chars(has_slash ? slash + 1 : end, end, parts);
-    if (!has_slash || second != std::errc() || stop != end || part < 1 || part > parts)
-        throw Error(ExitCode::usage,
-                    fmt::format("--shard {}: must be I/N, part I of N, as 1/10", text));
-    const auto begin_of = [&](std::size_t i) {
-        return count / parts * i + count % parts * i / parts;
-    };
-    return {begin_of(part - 1), begin_of(part)};
-}
-
 /// The bakes that the command lists, in its shard.
 std::vector<BatchEntry> entries_of(const BatchCommand& command) {
-    std::vector<BatchEntry> entries = command.is_manifest()
-                                          ? read_manifest(command.what.front())
-                                          : matrix_of_options(command.what, command.options());
-    const auto [first, last] = shard_of(command.shard, entries.size());
-    entries.erase(entries.begin() + std::ptrdiff_t(last), entries.end());
-    entries.erase(entries.begin(), entries.begin() + std::ptrdiff_t(first));
-    return entries;
+    const BatchShard shard = batch_shard(command.shard);
+    return command.is_manifest() ? read_manifest(command.what.front(), shard)
+                                 : matrix_of_options(command.what, command.options(), shard);
 }
 
 /// All entries of the manifest. Throws Error where any is wrong, after a line on stderr for each of

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/bake/batch_manifest.h"
 #include "app/bake/batch_matrix.h"
 #include "app/bake/batch_schedule.h"
 #include "atlas/base/error.h"
@@ -21,6 +22,13 @@ MatrixKeys keys_in(const std::string& folder) {
                 return key == "mesh" || value.find('/') != std::string::npos;
             },
             folder};
+}
+
+std::vector<Json> combinations(const Json& entry, const MatrixKeys& keys) {
+    const Combinations all(entry, keys);
+    std::vector<Json> bakes;
+    for (std::size_t i = 0; i < all.count(); ++i) bakes.push_back(all[i]);
+    return bakes;
 }
 
 std::vector<std::string> outputs_of(const std::vector<Json>& bakes) {
@@ -64,7 +72,7 @@ TEST(BatchMatrix, WhatCannotBeIsRefused) {
 }
 
 TEST(BatchMatrix, WhatIsNoMatrixIsItself) {
-    for (const char* text : {R"({"mesh": "a.obj", "set": ["a=1", "b=2"], "strict": true})", "3",
+    for (const char* text : {R"({"mesh": "a.obj", "set": ["a=1", "b=2"], "strict": true})", "{}",
                              R"({"output": "a{.png"})"}) {
         const Json entry = Json::parse(text);
         EXPECT_THAT(combinations(entry, keys_in(".")), testing::ElementsAre(entry)) << text;
@@ -94,6 +102,24 @@ class Holding {
     int jobs_ = 0;
     std::mutex mutex_;
 };
+
+TEST(BatchMatrix, ShardsAreAllAndNothingTwice) {
+    for (const std::size_t count : {0u, 1u, 12u, 1000u, 999u})
+        for (const std::size_t parts : {1u, 3u, 10u, 100u, 1000u}) {
+            std::size_t next = 0;
+            for (std::size_t part = 0; part < parts; ++part) {
+                const BatchShard shard{part, parts};
+                EXPECT_EQ(shard.first(count), next);
+                next = shard.last(count);
+                EXPECT_LE(next - shard.first(count), count / parts + 1);
+            }
+            EXPECT_EQ(next, count);
+        }
+    EXPECT_EQ(batch_shard("3/7").part, 2u);
+    EXPECT_EQ(batch_shard("").parts, 1u);
+    for (const char* text : {"0/3", "4/3", "1", "1/", "/2", "1/2/3", "a/b", "-1/2"})
+        EXPECT_THROW(batch_shard(text), Error) << text;
+}
 
 TEST(JobQueue, RunsAllOnceWithinTheBudget) {
     Holding holding;
