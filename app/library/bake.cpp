@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "app/bake/bake.h"
+#include "app/bake/shared_pictures.h"
 #include "app/bake/tiles.h"
 #include "app/library/guard.h"
 #include "app/library/progress.h"
 #include "app/library/states.h"
-#include "app/paint/texture.h"
 #include "app/pipeline/mask_picture.h"
 #include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/edit/recipe_json.h"
@@ -192,25 +192,14 @@ class Baking {
             return;
         }
         const std::vector<MaterialPicture> wanted = material_pictures(recipe, asked.packing);
-        std::vector<PicturePlan> plans{base_color_plan(recipe)};
-        for (const MaterialPicture& one : wanted) plans.push_back(one.plan);
         std::vector<Image<RgbaF>> images =
-            pipeline_.pictures<RgbaF>(plans, 0, pipeline_.context().stop);
-        if (images.empty()) throw stopped();
+            shared_pictures<RgbaF>(pipeline_, {&recipe, 1}, wanted, asked.packing, false);
         const bool clear = is_transparent(recipe);
-        if (!clear) paint(images[0]);
         add_floats("color", std::move(images[0]), clear ? 4 : 3, asked.levels,
                    clear && recipe.material.alpha == AlphaMode::mask);
         for (std::size_t i = 0; i < wanted.size(); ++i)
             add_floats(wanted[i].name, std::move(images[i + 1]), wanted[i].components, asked.levels,
                        false);
-    }
-
-    /// Paints over an opaque colour.
-    void paint(Image<RgbaF>& color) {
-        auto opaque = converted<RgbF>(color, [](const RgbaF& p) { return RgbF{p.r, p.g, p.b}; });
-        paint_over(pipeline_.solid(), pipeline_.recipe().paint, options_.threads, opaque);
-        color = converted<RgbaF>(opaque, [](const RgbF& p) { return RgbaF{p.r, p.g, p.b, 1.0f}; });
     }
 
     void add_mask(const std::string& name) {
