@@ -21,9 +21,9 @@ void Pipeline::set_recipe(const Recipe& recipe) {
 }
 
 void Pipeline::set_labels(std::vector<std::uint32_t> labels) {
+    show_label({});  // a bake that failed may have left one
     if (labels == labels_) return;
     labels_ = std::move(labels);
-    label_.reset();
     forget_solid();
     stages_.normals.forget_frames();
     stages_.layout.forget();
