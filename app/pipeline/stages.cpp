@@ -10,7 +10,6 @@
 #include "atlas/base/mip_chain.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/solid/level.h"
-#include "atlas/solid/texel_set.h"
 #include "procedural/fill/normals.h"
 
 namespace burl {
@@ -45,6 +44,20 @@ bool takes_slopes(const Recipe& recipe, const GraphMask& mask) {
     if (has_slopes(recipe.texture, GraphOutput::planes)) return true;
     const std::vector<GraphMask> bumps = graph_masks(recipe.bump.input);
     return std::ranges::find(bumps, mask) != bumps.end();
+}
+
+/// The texels that show triangles of each label.
+std::vector<TexelSet> texels_of_labels(const SolidAtlas& solid, const Mesh& mesh,
+                                       const MeshAtlas& atlas,
+                                       std::span<const std::uint32_t> labels) {
+    const std::vector<CornerOrigin> origins = corner_origins(mesh, atlas);
+    const TexelOwners owners(solid, atlas.atlas(), OwnerReach::gutters);
+    std::vector<TexelSet> sets(std::ranges::max(labels) + std::size_t(1), TexelSet(solid.size));
+    for (std::uint32_t y = 0; y < solid.size; ++y)
+        for (const Span& span : solid.row(y))
+            for (std::uint32_t x = span.x; x < span.x + span.count; ++x)
+                sets[labels[origins[3 * owners(x, y, span.map)].a / 3]].insert(x, y);
+    return sets;
 }
 
 }  // namespace
@@ -116,19 +129,15 @@ const SolidAtlas& SolidStage::run_share(const SolidAtlas& finest, const Mesh& me
                                         std::span<const std::uint32_t> labels,
                                         std::uint32_t label) {
     if (share_ && share_->first == label) return share_->second;
-    const std::vector<CornerOrigin> origins = corner_origins(mesh, atlas);
-    const TexelOwners owners(finest, atlas.atlas(), OwnerReach::gutters);
-    TexelSet wanted(finest.size);
-    for (std::uint32_t y = 0; y < finest.size; ++y)
-        for (const Span& span : finest.row(y))
-            for (std::uint32_t x = span.x; x < span.x + span.count; ++x)
-                if (labels[origins[3 * owners(x, y, span.map)].a / 3] == label) wanted.insert(x, y);
-    share_.emplace(label, cut_to(finest, wanted));
+    if (texels_of_labels_.empty())
+        texels_of_labels_ = texels_of_labels(finest, mesh, atlas, labels);
+    share_.emplace(label, cut_to(finest, texels_of_labels_[label]));
     return share_->second;
 }
 
 void SolidStage::forget() {
     share_.reset();
+    texels_of_labels_.clear();
     levels_.clear();
     solid_.reset();
 }

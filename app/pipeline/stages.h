@@ -22,6 +22,7 @@
 #include "app/recipe/recipe.h"
 #include "app/surface/tangents.h"
 #include "atlas/build/mesh_atlas.h"
+#include "atlas/solid/texel_set.h"
 #include "procedural/fill/pictures.h"
 
 namespace burl {
@@ -89,6 +90,7 @@ class SolidStage {
   private:
     std::unique_ptr<const SolidAtlas> solid_;
     std::map<std::uint32_t, std::unique_ptr<const SolidAtlas>> levels_;
+    std::vector<TexelSet> texels_of_labels_;
     std::optional<std::pair<std::uint32_t, SolidAtlas>> share_;  ///< with its label
 };
 
