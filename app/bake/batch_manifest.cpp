@@ -308,10 +308,7 @@ std::vector<BatchEntry> matrix_of_options(const std::vector<std::string>& meshes
     for (const std::string& option : options) {
         const std::size_t at = option.find('=');
         Json& values = entry[option.substr(0, at)];
-        if (at == std::string::npos)
-            values = true;
-        else
-            values.push_back(option.substr(at + 1));
+        values.push_back(at == std::string::npos ? Json(true) : Json(option.substr(at + 1)));
     }
     const MatrixKeys keys = matrix_keys({});
     for (auto& [key, values] : entry.items())  // templates are of texts

@@ -239,7 +239,7 @@ class BatchProgress {
 constexpr std::size_t parts_per_worker = 4, fewest_in_a_part = 16;
 
 void run_all(const BatchCommand& command, std::vector<BatchBake>& bakes, BatchLines& lines,
-             Progress& progress) {
+             Progress& progress, std::uint64_t budget) {
     std::vector<BatchGroup> groups = batch_groups(bakes);
     check_cache(command.run, groups);
     const int workers = workers_of(command, bakes);
@@ -260,8 +260,7 @@ void run_all(const BatchCommand& command, std::vector<BatchBake>& bakes, BatchLi
                                     told.done();
                                 });
                         }});
-    run_jobs(jobs, workers,
-             command.memory.empty() ? default_budget() : memory_size(command.memory));
+    run_jobs(jobs, workers, budget);
 }
 
 /// Says of each bake whether it would be made.
@@ -286,13 +285,15 @@ void throw_if_failed(const BatchCommand& command, const std::vector<BatchBake>& 
 void run_batch(BatchCommand command) {
     BakeCommand& run = command.run;
     check_report_options(run.json, run.report, run.quiet);
+    const std::uint64_t budget =
+        command.memory.empty() ? default_budget() : memory_size(command.memory);
     Progress progress(progress_mode(run.progress, run.quiet));
     std::vector<BatchBake> bakes = check_manifest(command);
     BatchLines lines(!run.json && !run.quiet && run.report != "-");
     if (command.dry_run)
         plan_all(bakes, lines);
     else
-        run_all(command, bakes, lines, progress);
+        run_all(command, bakes, lines, progress, budget);
     progress.finish();
     const Json report = batch_json(bakes);
     if (!run.report.empty()) write_json(run.report, report);
