@@ -24,7 +24,9 @@ BakeCommand BakeJob::command_of(const BakeShare& share) const {
 std::vector<Recipe> BakeJob::load_shares() const {
     std::vector<Recipe> recipes;
     for (const BakeShare& share : shares_) {
-        Recipe& one = recipes.emplace_back(frames_of(command_of(share))->front());
+        const bool is_first = recipes.empty();  // which is the command's
+        Recipe& one =
+            recipes.emplace_back(is_first ? recipe() : frames_of(command_of(share))->front());
         if (one.atlas != recipe().atlas)
             warn(
                 fmt::format("{}: {} asks for another atlas than {}, whose it shares; "
