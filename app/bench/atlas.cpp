@@ -12,6 +12,7 @@
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
 #include "app/measure/metric_texture.h"
+#include "app/measure/metrics_report.h"
 #include "atlas/blocks/pairing.h"
 #include "atlas/blocks/quad_cells.h"
 #include "atlas/blocks/quad_tree.h"
@@ -54,6 +55,7 @@ struct AtlasSubject {
         options.level_points = points;
         options.levels = 3;
         options.grazing_levels = 0;
+        options.view_points = view_points;
         truth = surface_truth(mesh, grey(metric_marble), options);
     }
 
@@ -99,10 +101,12 @@ void add_quality(AtlasBench& bench, const AtlasSubject& subject, const MeshAtlas
     SurfaceTruth truth = subject.truth;
     truth.points = refined_points(subject.mesh, atlas, std::move(truth.points));
     truth.level_points = refined_points(subject.mesh, atlas, std::move(truth.level_points));
+    truth.views.points = refined_points(subject.mesh, atlas, std::move(truth.views.points));
     const LookupErrors errors =
         measure_lookups(mesh, atlas.atlas(), fill_texture(solid, grey(metric_marble)),
                         mesh_edges(mesh, build_connectivity(mesh)), truth, in_8bit_srgb());
     bench.psnr = errors.psnr;
+    bench.views = errors.views;
     for (std::size_t l = 1; l < errors.levels.size(); ++l)
         bench.rmse.push_back(errors.levels[l].rmse);
 }
@@ -146,8 +150,16 @@ Json atlas_json(const AtlasBench& bench) {
                      {"stages", stages},
                      {"coverage", bench.coverage},
                      {"psnr", bench.psnr},
-                     {"rmse_levels_1_to_3", bench.rmse}});
+                     {"rmse_levels_1_to_3", bench.rmse},
+                     {"sampled_views", views_json(bench.views)}});
     return json;
+}
+
+/// The geometric mean of all rows of views for a sampler.
+double typical(const std::vector<ViewError>& views, std::size_t sampler) {
+    double sum = 0.0;
+    for (const ViewError& view : views) sum += std::log(view.rmse[sampler]);
+    return views.empty() ? 0.0 : std::exp(sum / double(views.size()));
 }
 
 /// Prints an atlas in one line: times of layout and spans, and quality.
@@ -159,6 +171,7 @@ void print_atlas(const AtlasBench& bench) {
                layout.one_thread / layout.all_threads, spans.one_thread * us, bench.coverage,
                bench.psnr);
     for (const double rmse : bench.rmse) fmt::print(" {:>7.4f}", rmse);
+    fmt::print(" {:>7.4f} {:>7.4f}", typical(bench.views, 0), typical(bench.views, 4));
     for (const StageBench& stage : bench.stages)
         if (stage.part_of_layout) fmt::print("  {} {:.3f}", stage.stage, stage.one_thread * us);
     fmt::print("\n");
@@ -170,10 +183,11 @@ void print_atlases(const std::vector<AtlasBench>& rows) {
         if (row.faces != faces)
             fmt::print(
                 "{}{} faces, {} x {} texels, connectivity {:.3f} us/face\n"
-                "  {:<8} {:>11} {:>8} {:>7} {:>8} {:>9} {:>6} {:>7} {:>7} {:>7}\n",
+                "  {:<8} {:>11} {:>8} {:>7} {:>8} {:>9} {:>6} {:>7} {:>7} {:>7} {:>7} {:>7}\n",
                 faces == 0 ? "" : "\n", row.faces, row.size, row.size,
                 row.stage("connectivity").one_thread * 1e6 / double(row.faces), "atlas",
-                "layout ms", "us/face", "faster", "spans", "coverage", "L0 dB", "L1", "L2", "L3");
+                "layout ms", "us/face", "faster", "spans", "coverage", "L0 dB", "L1", "L2", "L3",
+                "views", "16x");
         faces = row.faces;
         print_atlas(row);
     }

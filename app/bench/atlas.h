@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/bench/bench.h"
+#include "atlas/measure/lookup_errors.h"
 #include "atlas/solid/atlas.h"
 
 namespace burl {
@@ -30,6 +31,7 @@ struct AtlasBench {
     double coverage = 0.0;
     double psnr = 0.0;         ///< PSNR of lookups at level 0 in dB (docs/reference/metrics.md)
     std::vector<double> rmse;  ///< RMS error of lookups at levels 1 to 3; [l-1] is level l
+    std::vector<ViewError> views{};  ///< errors of sampled views
 
     /// The stage of that name, which must be one that every kind has.
     const StageBench& stage(std::string_view name) const;

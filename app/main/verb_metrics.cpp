@@ -163,7 +163,7 @@ void add_metrics(CLI::App& program) {
     command->meshes.add(*verb);
     command->meshes.add_uv_set(*verb);
     verb->add_flag("--levels", command->levels,
-                   "Also measure lookups: error per MIP level, seams, bleeding");
+                   "Also measure lookups: error per MIP level, seams, bleeding, sampled views");
     auto* texture =
         verb->add_option("--texture", command->texture,
                          "What is looked up: metric-marble, or the recipe's texture (default: the "

@@ -43,6 +43,7 @@ Measuring::Measuring(MeasuringPlan plan, Mesh measured_mesh)
     TruthOptions options;
     options.size = plan_.recipe.atlas.size;
     options.detail = texture_.detail;
+    options.view_points = view_points;
     truth_ = surface_truth(normalised(mesh()), texture_.color, options);
 }
 
@@ -93,6 +94,7 @@ std::optional<SurfaceTruth> Measuring::refined_truth(const MeshAtlas& atlas) con
     truth->points = refined_points(mesh(), atlas, std::move(truth->points));
     truth->level_points = refined_points(mesh(), atlas, std::move(truth->level_points));
     truth->grazing.points = refined_points(mesh(), atlas, std::move(truth->grazing.points));
+    truth->views.points = refined_points(mesh(), atlas, std::move(truth->views.points));
     return truth;
 }
 

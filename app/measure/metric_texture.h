@@ -28,6 +28,9 @@ MetricTexture metric_marble_texture();
 /// nodes may be anything, 1/200.
 MetricTexture recipe_texture(const Recipe& recipe, const Mesh& mesh);
 
+/// Number of pixels in each row of sampled views that are measured.
+inline constexpr std::size_t view_points = 2000;
+
 /// The mesh with its box's centre in the origin and a half diagonal of 1.
 Mesh normalised(const Mesh& mesh);
 

@@ -49,6 +49,18 @@ std::optional<double> direct_rmse(const MeasuredAtlas& m, std::uint32_t level) {
     return m.direct[level - 1];
 }
 
+void print_views(const std::vector<ViewError>& views) {
+    if (views.empty()) return;
+    fmt::print("{:<6} {:>5}", "view", "tilt");
+    for (const ViewSampler& sampler : view_samplers) fmt::print(" {:>11}", sampler.name);
+    fmt::print(" {:>9}\n", "truth +-");
+    for (const ViewError& view : views) {
+        fmt::print("{:<6} {:>5}", fmt::format("{}:1", view.minification), view.tilt);
+        for (const double rmse : view.rmse) fmt::print(" {:>11.5f}", rmse);
+        fmt::print(" {:>9.5f}\n", view.truth_noise);
+    }
+}
+
 void print_lookups(const MeasuredAtlas& m) {
     if (!m.lookups) return;
     const LookupErrors& errors = *m.lookups;
@@ -69,6 +81,7 @@ void print_lookups(const MeasuredAtlas& m) {
             e.grazing ? fmt::format("{:.5f}", e.grazing->rmse_8bit) : "-", e.mismatch, e.foreign,
             e.other_chart);
     }
+    print_views(errors.views);
 }
 
 Json grazing_json(const LookupErrors& errors) {
@@ -103,10 +116,25 @@ Json lookups_json(const MeasuredAtlas& m, const LookupErrors& errors) {
             {"seam_over_interior", seam_ratio(errors)},
             {"seam_points", errors.seam_points},
             {"levels", levels},
-            {"grazing_8_to_1", grazing_json(errors)}};
+            {"grazing_8_to_1", grazing_json(errors)},
+            {"sampled_views", views_json(errors.views)}};
 }
 
 }  // namespace
+
+Json views_json(const std::vector<ViewError>& views) {
+    Json rows = Json::array();
+    for (const ViewError& view : views) {
+        Json rmse = Json::object();
+        for (std::size_t k = 0; k < view_samplers.size(); ++k)
+            rmse[std::string(view_samplers[k].name)] = view.rmse[k];
+        rows.push_back({{"minification", view.minification},
+                        {"tilt", view.tilt},
+                        {"rmse", rmse},
+                        {"truth_noise", view.truth_noise}});
+    }
+    return rows;
+}
 
 Json measured_json(const MeasuredAtlas& m) {
     const auto& [use, charts, shape, texels] = m.measures;

@@ -24,6 +24,9 @@ struct MeasuredAtlas {
     std::vector<double> direct{};
 };
 
+/// The rows of sampled views as an array of objects.
+Json views_json(const std::vector<ViewError>& views);
+
 Json measured_json(const MeasuredAtlas& measured);
 
 /// Prints tables of the texture's use, the surface's shape in it, and the errors of lookups.

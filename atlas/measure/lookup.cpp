@@ -80,4 +80,26 @@ Vec3d anisotropic(const MipChain<Vec3f>& levels, const Vec2d& at, const TexelFoo
     return sum / total;
 }
 
+TexelSteps ellipse_steps(const TexelSteps& steps) {
+    const TexelFootprint ellipse = texel_footprint(steps.x, steps.y);
+    const double longer = glm::length(ellipse.major);
+    if (!(longer > 0.0)) return {};
+    return {ellipse.major, (ellipse.minor / longer) * Vec2d(-ellipse.major.y, ellipse.major.x)};
+}
+
+Vec3d sampler_lookup(const MipChain<Vec3f>& levels, const Vec2d& at, const TexelSteps& steps,
+                     int most) {
+    const bool along_x = glm::length(steps.x) > glm::length(steps.y);
+    const Vec2d& step = along_x ? steps.x : steps.y;
+    const double longer = glm::length(step), shorter = glm::length(along_x ? steps.y : steps.x);
+    if (!(longer > 0.0)) return trilinear(levels, at, 0.0);
+    // Equal steps are no more than rounding apart.
+    const double ratio = std::ceil(longer / std::max(shorter, longer * 1e-9) - 1e-6);
+    const int count = int(std::min(std::max(ratio, 1.0), double(most)));
+    Vec3d sum(0.0);
+    for (int i = 1; i <= count; ++i)
+        sum += trilinear(levels, at + (i / (count + 1.0) - 0.5) * step, std::log2(longer / count));
+    return sum / double(count);
+}
+
 }  // namespace burl

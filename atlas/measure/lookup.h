@@ -70,6 +70,22 @@ Vec2d mapped(const Mesh& mesh, const Atlas& atlas, std::uint32_t triangle, const
 /// ends gaussian_cut times sqrt(major^2 - minor^2) from `at` on either side.
 Vec3d anisotropic(const MipChain<Vec3f>& levels, const Vec2d& at, const TexelFootprint& footprint);
 
+/// Steps of a place from pixel to pixel along the screen's axes, in texels of level 0.
+struct TexelSteps {
+    Vec2d x{0.0}, y{0.0};
+};
+
+/// The axes, at right angles, of the ellipse that the pixel's round shape covers in the texture
+/// (Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989), as steps.
+TexelSteps ellipse_steps(const TexelSteps& steps);
+
+/// The lookup of a sampler of GL_LINEAR_MIPMAP_LINEAR with TEXTURE_MAX_ANISOTROPY `most` >= 1 by
+/// the example algorithm of GL_EXT_texture_filter_anisotropic (1 is plain trilinear filtering): N =
+/// min(ceil(longer / shorter step), most) equally weighted trilinear probes lie on the longer step
+/// at i / (N + 1) - 1/2 of it, i = 1..N, in level log2(longer / N).
+Vec3d sampler_lookup(const MipChain<Vec3f>& levels, const Vec2d& at, const TexelSteps& steps,
+                     int most);
+
 /// Linear interpolation between bilinear lookups in the two nearest levels; `at` is in texels of
 /// level 0, and `level` is clamped to the levels of the chain.
 Vec3d trilinear(const MipChain<Vec3f>& levels, const Vec2d& at, double level);

@@ -198,12 +198,41 @@ double lookup_rmse(const Atlas& atlas, const Image<Vec3f>& level,
     return errors.root();
 }
 
+std::vector<ViewError> view_errors(const Mesh& mesh, const Atlas& atlas,
+                                   const MipChain<Vec3f>& chain, const SampledViews& views) {
+    std::vector<ViewError> errors;
+    for (const ViewRow& row : views.rows) {
+        using Squares = std::array<double, view_samplers.size()>;
+        std::vector<Squares> squares(views.points.size());
+        tbb::parallel_for(std::size_t{0}, squares.size(), [&](std::size_t i) {
+            const SurfacePoint& point = views.points[i];
+            const PixelSteps steps = views.steps(i, row);
+            const Vec2d at = place(atlas, point);
+            const TexelSteps texels{mapped(mesh, atlas, point.triangle, steps.x),
+                                    mapped(mesh, atlas, point.triangle, steps.y)};
+            for (std::size_t k = 0; k < view_samplers.size(); ++k)
+                squares[i][k] =
+                    mean_square(view_samplers[k].lookup(chain, at, texels) - row.means[i]);
+        });
+        ViewError error{row.minification, row.tilt, {}, row.noise};
+        for (std::size_t k = 0; k < view_samplers.size(); ++k) {
+            double sum = 0.0;
+            for (const Squares& one : squares) sum += one[k];
+            error.rmse[k] = squares.empty() ? 0.0 : std::sqrt(sum / double(squares.size()));
+        }
+        errors.push_back(error);
+    }
+    return errors;
+}
+
 LookupErrors measure_lookups(const Mesh& mesh, const Atlas& atlas, const TextureValues& texture,
                              std::span<const MeshEdge> edges, const SurfaceTruth& truth,
                              const StoredValue& in_8bit) {
     LookupErrors errors;
     measure_seams(atlas, texture.values, ChartBorders(atlas, edges), truth, errors);
-    measure_levels({mesh, atlas, truth, build_mip_chain(texture.values)}, texture, edges, errors);
+    const MipChain<Vec3f> chain = build_mip_chain(texture.values);
+    measure_levels({mesh, atlas, truth, chain}, texture, edges, errors);
+    errors.views = view_errors(mesh, atlas, chain, truth.views);
     measure_8bit({mesh, atlas, truth, stored_chain(texture.values, in_8bit)}, errors);
     errors.psnr = decibel(errors.levels[0].rmse);
     errors.psnr_8bit = decibel(errors.levels[0].rmse_8bit);

@@ -1,13 +1,16 @@
 #pragma once
 // The errors that a viewer sees: lookups of a texture against the colours that the surface shows
 // there. Errors of colours are root mean squares over the channels.
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "atlas/base/mip_chain.h"
 #include "atlas/measure/charts.h"
+#include "atlas/measure/lookup.h"
 #include "atlas/measure/surface_points.h"
 #include "atlas/measure/surface_truth.h"
 #include "atlas/measure/texture_values.h"
@@ -47,6 +50,27 @@ struct LevelError {
     std::optional<GrazingError> grazing;  ///< set for levels with a grazing truth
 };
 
+/// A sampler of sampled views (atlas/measure/lookup.h).
+struct ViewSampler {
+    std::string_view name;
+    int most = 1;          ///< TEXTURE_MAX_ANISOTROPY
+    bool ellipse = false;  ///< whether it takes the pixel's ellipse for its steps
+    /// The value that it gives.
+    Vec3d lookup(const MipChain<Vec3f>& chain, const Vec2d& at, const TexelSteps& steps) const {
+        return sampler_lookup(chain, at, ellipse ? ellipse_steps(steps) : steps, most);
+    }
+};
+
+inline constexpr std::array<ViewSampler, 6> view_samplers{
+    {{"trilinear", 1}, {"2x", 2}, {"4x", 4}, {"8x", 8}, {"16x", 16}, {"16x ellipse", 16, true}}};
+
+/// Errors of a row of sampled views, by sampler.
+struct ViewError {
+    double minification = 1.0, tilt = 0.0;  ///< atlas/measure/sampled_views.h; degrees
+    std::array<double, view_samplers.size()> rmse{};
+    double truth_noise = 0.0;  ///< RMS error of the truth itself
+};
+
 /// Errors of all lookups of one texture.
 struct LookupErrors {
     double psnr = 0.0, psnr_8bit = 0.0;  ///< PSNR of level 0, dB, peak 1; infinite if exact
@@ -54,12 +78,17 @@ struct LookupErrors {
     double interior_rmse = 0.0;          ///< level 0 at all other points
     double seam_points = 0.0;            ///< share of points within one texel of a chart's border
     std::vector<LevelError> levels;      ///< errors by level, from level 0
+    std::vector<ViewError> views{};      ///< errors of the truth's sampled views, row by row
 };
 
 /// Root mean square error of plain bilinear lookups in a level of the atlas's texture, at points
 /// where they should give `values`.
 double lookup_rmse(const Atlas& atlas, const Image<Vec3f>& level,
                    std::span<const SurfacePoint> points, std::span<const Vec3d> values);
+
+/// The errors of the truth's views; `chain` has the texture's levels.
+std::vector<ViewError> view_errors(const Mesh& mesh, const Atlas& atlas,
+                                   const MipChain<Vec3f>& chain, const SampledViews& views);
 
 /// A linear value in [0, 1] after storing it and reading it back.
 using StoredValue = std::function<double(double)>;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <tbb/parallel_for.h>
 
@@ -38,22 +37,6 @@ LevelTruth level_truth(const Mesh& mesh, const SolidColor& f, std::span<const Su
     }
     if (!other.empty()) truth.noise = 0.5 * std::sqrt(squares / double(other.size()));
     return truth;
-}
-
-/// A direction of the triangle's plane at `turn` (0..1) of a full turn, and the direction at right
-/// angles to it.
-FootprintAxes random_axes(const Mesh& mesh, std::uint32_t triangle, double turn) {
-    const Vec3d normal = face_normal(mesh, triangle);
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    const auto& p = mesh.positions;
-    const Vec3d sides[]{p[b] - p[a], p[c] - p[b], p[a] - p[c]};
-    Vec3d side = sides[0];
-    for (const Vec3d& s : sides)
-        if (glm::dot(s, s) > glm::dot(side, side)) side = s;
-    const Vec3d x = glm::normalize(side), y = glm::cross(normal, x);
-    const double angle = 2.0 * std::numbers::pi * turn;
-    const Vec3d along = std::cos(angle) * x + std::sin(angle) * y;
-    return {along, glm::cross(normal, along)};
 }
 
 GrazingTruth grazing_truth(const Mesh& mesh, const SolidColor& f, const TruthOptions& options,
@@ -92,6 +75,12 @@ SurfaceTruth surface_truth(const Mesh& mesh, const SolidColor& f, const TruthOpt
                                                  std::ldexp(truth.texel, int(l) - 1),
                                                  options.detail, options.seed + 100 * l));
     if (truth.texel > 0.0) truth.grazing = grazing_truth(mesh, f, options, truth.texel);
+    if (truth.texel > 0.0 && options.view_points > 0) {
+        ViewOptions views;
+        views.points = options.view_points;
+        views.seed = options.seed;
+        truth.views = sample_views(mesh, f, truth.texel, views);
+    }
     return truth;
 }
 

@@ -3,6 +3,7 @@
 // depend on the mesh and the texture's size only, so that one truth serves all atlases.
 #include <vector>
 
+#include "atlas/measure/sampled_views.h"
 #include "atlas/measure/surface_mean.h"
 
 namespace burl {
@@ -23,6 +24,7 @@ struct TruthOptions {
     std::uint32_t grazing_levels = 3;
     double detail = 1.0 / 40;  ///< size of f's finest detail (surface_mean.h)
     std::uint64_t seed = 1;
+    std::size_t view_points = 0;  ///< number of pixels of every row of sampled views
 };
 
 /// The colours of one level at its points.
@@ -30,12 +32,6 @@ struct LevelTruth {
     std::vector<Vec3d> means;  ///< mean of two quadratures at each point
     /// RMS error of the means: half the RMS difference of the two quadratures.
     double noise = 0.0;
-};
-
-/// Unit directions in the plane of a point's triangle, at right angles: along a footprint and
-/// across it.
-struct FootprintAxes {
-    Vec3d along{0.0}, across{0.0};
 };
 
 /// Truth for grazing footprints, sigma wide across and 8 sigma long along their axes.
@@ -53,6 +49,7 @@ struct SurfaceTruth {
     std::vector<LevelTruth> levels;  ///< levels[l-1] is level l: sigma = 2^(l-1) texel
     double texel = 0.0;              ///< sqrt(area) / N in mesh units
     GrazingTruth grazing;
+    SampledViews views;
 };
 
 /// The truth of a texture f on the mesh's surface. Levels that the texture does not have are left

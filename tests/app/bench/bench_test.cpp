@@ -66,6 +66,8 @@ TEST(BenchAtlases, AllKindsSideBySide) {
             EXPECT_LT(rmse, 0.3);
         }
         EXPECT_GT(row.psnr, -20.0 * std::log10(row.rmse[2]));
+        ASSERT_EQ(row.views.size(), 25u);
+        EXPECT_LT(row.views[0].rmse[0], row.views[24].rmse[0]);
     }
     const Mesh mesh = bumpy_sphere(300);
     const Atlas quad = layout_atlas(mesh, build_connectivity(mesh),

@@ -159,6 +159,18 @@ TEST(Program, MeasuresLookupsOfEveryLevel) {
     EXPECT_GT(grazing[0]["rmse"], 0.0);
     EXPECT_NE(grazing[0]["rmse_8bit"], grazing[0]["rmse"]);
     EXPECT_LT(grazing[0]["truth_noise"], 0.01);
+    const auto& views = lookups["sampled_views"];
+    ASSERT_EQ(views.size(), 25u);
+    EXPECT_EQ(views[8]["minification"], 2.0);
+    EXPECT_EQ(views[8]["tilt"], 75.0);
+    for (const auto& view : views) {
+        ASSERT_EQ(view["rmse"].size(), 6u);
+        EXPECT_GT(view["rmse"]["16x"], view["truth_noise"]);
+    }
+    EXPECT_GT(views[8]["rmse"]["trilinear"], 1.5 * views[8]["rmse"]["16x"].get<double>());
+    const Outcome table = run_burl(scratch, fmt::format("metrics '{}' --size 8 --levels", mesh));
+    EXPECT_NE(table.out.find("16x ellipse"), std::string::npos);
+    EXPECT_NE(table.out.find("\n16:1      85 "), std::string::npos) << table.out;
 }
 
 TEST(Program, MeasuresLookupsOfAnyTexture) {
