@@ -38,9 +38,10 @@ std::vector<bool> free_vertices(const std::vector<SideMask>& sides, unsigned hel
 class Descent {
   public:
     Descent(const Patch& patch, const WeightedEdges& edges, RectangleMap& map,
-            std::optional<double> aspect)
+            const DescentOptions& options)
         : map_(map),
-          aspect_(aspect),
+          aspect_(options.aspect),
+          anisotropy_(options.aspect ? options.anisotropy : 0.0),
           measure_(patch),
           free_u_(free_vertices(map.sides, 0b1010)),
           free_v_(free_vertices(map.sides, 0b0101)),
@@ -51,11 +52,12 @@ class Descent {
         if (!laplacian_u_.factored() || !laplacian_v_.factored()) return 0;
         map_.stretch = measure_(map_.uv);
         if (!map_.stretch.finite()) return 0;
+        energy_ = energy(map_.stretch, map_.uv);
         Field gradient = gradient_here();
         int done = 0;
         double gain_before = 0.0;
         while (done < options.iterations) {
-            const double before = energy(map_.stretch);
+            const double before = energy_;
             const Field old_uv = map_.uv, old_gradient = gradient;
             if (!step_along(direction(gradient), gradient)) {
                 if (pairs_.empty()) break;
@@ -63,9 +65,9 @@ class Descent {
                 continue;
             }
             ++done;
-            const double here = energy(map_.stretch), gain = before - here;
-            if (here <= options.wanted && gain < options.least_gain * before) break;
-            if (out_of_reach(here, std::max(gain, gain_before), done, options)) break;
+            const double gain = before - energy_;
+            if (energy_ <= options.wanted && gain < options.least_gain * before) break;
+            if (out_of_reach(energy_, std::max(gain, gain_before), done, options)) break;
             gain_before = gain;
             gradient = gradient_here();
             remember(old_uv, old_gradient, gradient);
@@ -87,16 +89,20 @@ class Descent {
         return done >= 4 && energy - options.wanted > gain * (options.iterations - done);
     }
 
-    double energy(const Stretch& s) const {
+    double energy(const Stretch& s, const Field& uv) const {
         const double area2 = s.area * s.area;
         if (!s.finite()) return std::numeric_limits<double>::infinity();
-        return aspect_ ? 0.5 * (s.x / *aspect_ + s.y * *aspect_) / area2 : s.distortion();
+        if (!aspect_) return s.distortion();
+        const double stretch = 0.5 * (s.x / *aspect_ + s.y * *aspect_) / area2;
+        return anisotropy_ > 0.0 ? stretch + anisotropy_ * measure_.anisotropy(uv, *aspect_)
+                                 : stretch;
     }
 
     Field gradient_here() const {
         const Stretch& s = map_.stretch;
         const double aspect = aspect_.value_or(s.best_aspect()), area2 = s.area * s.area;
         Field g = measure_.gradient(map_.uv, 0.5 / (aspect * area2), 0.5 * aspect / area2);
+        if (anisotropy_ > 0.0) measure_.add_anisotropy_gradient(map_.uv, aspect, anisotropy_, g);
         for (std::size_t v = 0; v < g.size(); ++v) {
             if (!free_u_[v]) g[v].x = 0.0;
             if (!free_v_[v]) g[v].y = 0.0;
@@ -135,7 +141,7 @@ class Descent {
     /// Moves along d, halving the step until the energy falls enough (Armijo); false, with nothing
     /// moved, if it never does.
     bool step_along(const Field& d, const Field& gradient) {
-        const double slope = dot(d, gradient), before = energy(map_.stretch);
+        const double slope = dot(d, gradient), before = energy_;
         if (!(slope < 0.0)) return false;
         const double limit = keep_from_collapse * measure_.step_to_collapse(map_.uv, d);
         double step = pairs_.empty() ? first_step(d, limit) : std::min(1.0, limit);
@@ -144,7 +150,9 @@ class Descent {
             moved = map_.uv;
             add_scaled(moved, step, d);
             const Stretch stretch = measure_(moved);
-            if (!(energy(stretch) <= before + 1e-4 * step * slope)) continue;
+            const double after = energy(stretch, moved);
+            if (!(after <= before + 1e-4 * step * slope)) continue;
+            energy_ = after;
             map_.uv = std::move(moved);
             map_.stretch = stretch;
             return true;
@@ -176,6 +184,8 @@ class Descent {
 
     RectangleMap& map_;
     std::optional<double> aspect_;
+    double anisotropy_;
+    double energy_ = 0.0;  ///< the map's
     StretchMeasure measure_;
     std::vector<bool> free_u_, free_v_;
     PatchLaplacian laplacian_u_, laplacian_v_;
@@ -191,7 +201,7 @@ int descend(const Patch& patch, RectangleMap& map, const DescentOptions& options
 
 int descend(const Patch& patch, const WeightedEdges& edges, RectangleMap& map,
             const DescentOptions& options) {
-    return Descent(patch, edges, map, options.aspect).run(options);
+    return Descent(patch, edges, map, options).run(options);
 }
 
 }  // namespace burl

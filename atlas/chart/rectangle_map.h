@@ -39,6 +39,8 @@ struct DescentOptions {
     /// Distortion D that is wanted: the descent is given up where it will not get there, and the
     /// search for corners where the harmonic map is too far from it.
     double wanted = std::numeric_limits<double>::infinity();
+    /// Weight of StretchMeasure::anisotropy() in the energy; counts only with an aspect.
+    double anisotropy = 0.0;
 };
 
 /// Maps a disk, splitting the patch's chords for the corners that it chooses. Nothing, with the
@@ -56,8 +58,8 @@ std::optional<RectangleMap> harmonic_map(const Patch& patch, const Corners& corn
 void relax(const Patch& patch, const WeightedEdges& edges, RectangleMap& map, int rounds = 2);
 
 /// Lowers the stretch; inner vertices move freely, border vertices along their side, corners not at
-/// all. Without an aspect the energy is D, with one it is (X/aspect + Y aspect) / (2 A^2); it never
-/// rises. Returns the number of iterations that lowered it.
+/// all. Without an aspect the energy is D, with one it is (X/aspect + Y aspect) / (2 A^2) and
+/// the weighted anisotropy; it never rises. Returns the number of iterations that lowered it.
 int descend(const Patch& patch, RectangleMap& map, const DescentOptions& options = {});
 /// Lowers the stretch with the patch's weighted edges `edges`, which the overload without them
 /// computes.

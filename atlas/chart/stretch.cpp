@@ -13,6 +13,10 @@ namespace {
 /// are kept from flipping, too.
 constexpr double least_weight = 1e-6;
 
+/// Height over longest side below which a triangle is a sliver: next to no move of a corner gives
+/// it any anisotropy, and its own area is all that would show it.
+constexpr double sliver = 0.05;
+
 /// The smallest positive root of a + b t + c t^2 with a > 0, or infinity.
 double first_root(double a, double b, double c) {
     const double infinity = std::numeric_limits<double>::infinity();
@@ -46,9 +50,13 @@ StretchMeasure::StretchMeasure(const Patch& patch) {
         const double length = glm::length(e1), twice = glm::length(glm::cross(e1, e2));
         const Vec2d p2 = length > 0.0 ? Vec2d(glm::dot(e1, e2) / length, twice / length)
                                       : Vec2d(glm::length(e2), 0.0);
-        const double weight = 0.5 * twice * (patch.faces[t] == not_in_mesh ? fan_weight : 1.0);
-        triangles_.push_back({v, Vec2d(length, 0.0), p2, weight});
-        area_ += weight;
+        const bool fan = patch.faces[t] == not_in_mesh;
+        const double longest =
+            std::max({length * length, glm::dot(e2, e2), glm::dot(e2 - e1, e2 - e1)});
+        const bool counts = !fan && twice > sliver * longest;
+        triangles_.push_back({v, Vec2d(length, 0.0), p2, 0.5 * twice * (fan ? fan_weight : 1.0),
+                              counts ? 0.5 * twice : 0.0});
+        area_ += triangles_.back().weight;
     }
     const double floor = least_weight * area_ / double(triangles_.size());
     area_ = 0.0;
@@ -105,6 +113,45 @@ std::vector<Vec2d> StretchMeasure::gradient(std::span<const Vec2d> uv, double fa
         result[f.vertices[2]] += by_b;
     }
     return result;
+}
+
+// k = (|du|^2 / aspect + |dv|^2 aspect) det / (4 area), and du det and dv det are linear in a and
+// b.
+StretchMeasure::Conformal StretchMeasure::conformal(const Flat& f, const Vec2d& a, const Vec2d& b,
+                                                    double aspect) {
+    const double det = cross(a, b), share = 1.0 / (4.0 * f.area * det);
+    const Vec2d u = f.p1 * b.y - f.p2 * a.y, v = f.p2 * a.x - f.p1 * b.x;
+    const double k = share * (glm::dot(u, u) / aspect + glm::dot(v, v) * aspect);
+    const Vec2d by_u = 2.0 * share / aspect * u, by_v = 2.0 * share * aspect * v;
+    const double by_det = -k / det;
+    return {k,
+            {glm::dot(by_v, f.p2) + by_det * b.y, -glm::dot(by_u, f.p2) - by_det * b.x},
+            {-glm::dot(by_v, f.p1) - by_det * a.y, glm::dot(by_u, f.p1) + by_det * a.x}};
+}
+
+double StretchMeasure::anisotropy(std::span<const Vec2d> uv, double aspect) const {
+    double sum = 0.0, area = 0.0;
+    for (const Flat& f : triangles_) {
+        if (f.area == 0.0) continue;
+        const Vec2d &first = uv[f.vertices[0]], &a = uv[f.vertices[1]], &b = uv[f.vertices[2]];
+        const double k = conformal(f, a - first, b - first, aspect).k;
+        sum += f.area * k * k;
+        area += f.area;
+    }
+    return (sum + std::max(area_ - area, 0.0)) / area_;
+}
+
+void StretchMeasure::add_anisotropy_gradient(std::span<const Vec2d> uv, double aspect,
+                                             double factor, std::span<Vec2d> gradient) const {
+    for (const Flat& f : triangles_) {
+        if (f.area == 0.0) continue;
+        const Vec2d &first = uv[f.vertices[0]], &a = uv[f.vertices[1]], &b = uv[f.vertices[2]];
+        const Conformal c = conformal(f, a - first, b - first, aspect);
+        const double outer = 2.0 * factor * c.k * f.area / area_;
+        gradient[f.vertices[0]] -= outer * (c.by_a + c.by_b);
+        gradient[f.vertices[1]] += outer * c.by_a;
+        gradient[f.vertices[2]] += outer * c.by_b;
+    }
 }
 
 double StretchMeasure::step_to_collapse(std::span<const Vec2d> uv,

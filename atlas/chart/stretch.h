@@ -48,6 +48,16 @@ class StretchMeasure {
     /// The gradient d(factor_x X + factor_y Y)/d(uv) at each vertex. No triangle may be flipped.
     std::vector<Vec2d> gradient(std::span<const Vec2d> uv, double factor_x, double factor_y) const;
 
+    /// The mean over the area of k^2, where k = (s1 / s2 + s2 / s1) / 2 for the singular values s1
+    /// and s2 of a triangle's map onto a rectangle with this aspect (k is the energy of Hormann &
+    /// Greiner, "MIPS: an efficient global parametrization method", 2000); 1 where all angles are
+    /// kept. Holes' fans and slivers count as if they kept them. No triangle may be flipped.
+    double anisotropy(std::span<const Vec2d> uv, double aspect) const;
+
+    /// Adds factor times the gradient of anisotropy() at each vertex.
+    void add_anisotropy_gradient(std::span<const Vec2d> uv, double aspect, double factor,
+                                 std::span<Vec2d> gradient) const;
+
     /// The largest t for which no triangle of uv + t direction has collapsed yet; infinite if none
     /// ever does.
     double step_to_collapse(std::span<const Vec2d> uv, std::span<const Vec2d> direction) const;
@@ -58,7 +68,15 @@ class StretchMeasure {
         Triangle vertices;
         Vec2d p1, p2;
         double weight;
+        double area;  ///< 0 where the anisotropy does not count
     };
+    /// k of a triangle that lies in the square as a and b from its first corner, with derivatives.
+    struct Conformal {
+        double k = 1.0;
+        Vec2d by_a{0.0}, by_b{0.0};
+    };
+    static Conformal conformal(const Flat& flat, const Vec2d& a, const Vec2d& b, double aspect);
+
     std::vector<Flat> triangles_;
     double area_ = 0.0;
 };

@@ -107,6 +107,9 @@ void scale(Stretch& stretch, double side) {
 
 constexpr int refit_iterations = 20;
 constexpr double refit_gain = 1e-4;  ///< relative gain per iteration, below which a descent ends
+/// Weight of anisotropy beside stretch: samplers choose a level by the longer axis of a texel
+/// (docs/lab/patch-atlas.md has other weights and energies).
+constexpr double refit_anisotropy = 0.5;
 
 /// Descends on every rectangle map of the candidate for the proportions that its block really got.
 void refit(PatchCandidate& candidate, const std::stop_token& stop) {
@@ -117,7 +120,8 @@ void refit(PatchCandidate& candidate, const std::stop_token& stop) {
         fit_map(mapped.patch, *mapped.rectangle,
                 {.iterations = refit_iterations,
                  .aspect = candidate.layout.blocks[i].aspect(),
-                 .least_gain = refit_gain});
+                 .least_gain = refit_gain,
+                 .anisotropy = refit_anisotropy});
         mapped.rectangle->coarse.reset();
         mapped.uv = std::move(mapped.rectangle->uv);
         mapped.stretch = mapped.rectangle->stretch;

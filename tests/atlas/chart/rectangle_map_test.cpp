@@ -99,6 +99,14 @@ TEST(RectangleMap, DescentNeverRaisesTheEnergy) {
         const double other = energy();
         EXPECT_GT(descend(patch, *map, {.iterations = 10, .aspect = aspect}), 0);
         EXPECT_LT(energy(), other);
+        // The weighted anisotropy falls at the stretch's cost.
+        const StretchMeasure measure(patch);
+        const double anisotropy = measure.anisotropy(map->uv, aspect), stretch = energy();
+        EXPECT_GT(descend(patch, *map, {.iterations = 10, .aspect = aspect, .anisotropy = 5.0}), 0);
+        EXPECT_LT(measure.anisotropy(map->uv, aspect), 0.98 * anisotropy);
+        const double area2 = map->stretch.area * map->stretch.area;
+        EXPECT_LT(0.5 * energy() / area2 + 5.0 * measure.anisotropy(map->uv, aspect),
+                  0.5 * stretch / area2 + 5.0 * anisotropy);
         made::expect_fills_square(patch, map->uv);
         EXPECT_LT(before, 0.98 * start);
     }

@@ -81,6 +81,59 @@ TEST(Stretch, GradientMatchesDifferences) {
         }
 }
 
+TEST(Stretch, AnisotropyHasItsClosedForm) {
+    // A rectangle 1 x 0.5 as one of aspect 2 keeps its angles; as a square it has s1 / s2 = 2.
+    const Patch patch = made::whole(flat_grid());
+    const StretchMeasure measure(patch);
+    const auto uv = flat_uv(patch, 1.0, 0.5);
+    EXPECT_NEAR(measure.anisotropy(uv, 2.0), 1.0, 1e-12);
+    EXPECT_NEAR(measure.anisotropy(uv, 1.0), 1.25 * 1.25, 1e-12);
+    EXPECT_NEAR(measure.anisotropy(uv, 6.0), std::pow(0.5 * (3.0 + 1.0 / 3.0), 2), 1e-12);
+    // A shear by k has (s1 / s2 + s2 / s1) / 2 = 1 + k^2 / 2, whatever its scale.
+    std::vector<Vec2d> sheared;
+    for (const Vec3d& p : patch.points) sheared.emplace_back(0.1 * (p.x - 0.7 * p.y), 0.1 * p.y);
+    EXPECT_NEAR(measure.anisotropy(sheared, 1.0), std::pow(1.0 + 0.245, 2), 1e-12);
+}
+
+TEST(Stretch, SliversHaveNoAnisotropy) {
+    // A triangle of 1 x 0.01 beside one of 1 x 1; the sliver alone is sheared.
+    const Mesh mesh =
+        made::mesh_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -0.01, 0}}, {{0, 1, 2}, {0, 3, 1}});
+    const Patch patch = made::whole(mesh);
+    std::vector<Vec2d> uv(patch.points.size());
+    for (std::size_t v = 0; v < uv.size(); ++v) {
+        uv[v] = Vec2d(patch.points[v].x, patch.points[v].y);
+        if (uv[v].y < 0.0) uv[v].x += 0.3;
+    }
+    EXPECT_NEAR(StretchMeasure(patch).anisotropy(uv, 1.0), 1.0, 1e-9);
+}
+
+TEST(Stretch, AnisotropysGradientMatchesDifferences) {
+    const Patch patch = made::random_disk(3, 60);
+    const StretchMeasure measure(patch);
+    auto uv = flat_uv(patch, 1.0, 1.0);
+    constexpr double factor = 0.7, aspect = 1.6, h = 1e-6;
+    std::vector<Vec2d> gradient(uv.size(), Vec2d(2.0, -3.0));
+    measure.add_anisotropy_gradient(uv, aspect, factor, gradient);
+    double largest = 0.0;
+    for (Vec2d& g : gradient) {
+        g -= Vec2d(2.0, -3.0);
+        largest = std::max({largest, std::abs(g.x), std::abs(g.y)});
+    }
+    EXPECT_GT(largest, 0.01);
+    for (std::size_t v = 0; v < uv.size(); ++v)
+        for (const int axis : {0, 1}) {
+            const double at = uv[v][axis];
+            uv[v][axis] = at + h;
+            const double above = measure.anisotropy(uv, aspect);
+            uv[v][axis] = at - h;
+            const double below = measure.anisotropy(uv, aspect);
+            uv[v][axis] = at;
+            EXPECT_NEAR(factor * (above - below) / (2.0 * h), gradient[v][axis], 1e-6 * largest)
+                << v;
+        }
+}
+
 TEST(Stretch, StepToCollapseIsWhereTheFirstTriangleFlips) {
     const Patch patch = made::random_disk(5, 60);
     const StretchMeasure measure(patch);
