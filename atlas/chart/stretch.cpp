@@ -13,9 +13,9 @@ namespace {
 /// are kept from flipping, too.
 constexpr double least_weight = 1e-6;
 
-/// Height over longest side below which a triangle is a sliver: next to no move of a corner gives
-/// it any anisotropy, and its own area is all that would show it.
-constexpr double sliver = 0.05;
+/// Height over longest side below which a triangle is a sliver: a small move of a corner gives it
+/// any anisotropy, and next to no area shows it.
+constexpr double sliver = 0.01;
 
 /// The smallest positive root of a + b t + c t^2 with a > 0, or infinity.
 double first_root(double a, double b, double c) {
