@@ -190,7 +190,7 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
         pictures ? BakedTexture{std::move(material.color), std::move(material.color_levels)}
                  : bake_texture(pipeline, kind, plan.levels);
     result.texture = compressed_bake(pipeline.atlas(), std::move(texture.image), plan.compress);
-    go_on(plan, number, tasks::normals, 0.7);
+    if (plan.normals != NormalSpace::none) go_on(plan, number, tasks::normals, 0.7);
     std::optional<NormalMap> normals = bake_normals(pipeline, plan, material);
     go_on(plan, number, tasks::pictures, 0.85);
     if (releases) pipeline.release_texels();

@@ -22,31 +22,65 @@ constexpr TaskMeter::Clock::duration plain_period = std::chrono::seconds(10);
 /// The least share of a task, and the least seconds, whose pace says how long the rest takes.
 constexpr double least_share = 0.005, least_seconds = 0.3;
 
-/// The seconds left of the task under way; none: not known. What was expected gives way to the pace
-/// over the first twentieth, as a task may have something to prepare.
-std::optional<double> left_of_task(const TaskMeter::Reading& reading, const ExpectedTask& task) {
-    const double share = reading.share();
-    const bool has_pace = share >= least_share && reading.seconds >= least_seconds;
-    if (!has_pace && !task.seconds) return std::nullopt;
-    const double by_pace = has_pace ? reading.seconds * (1.0 - share) / share : 0.0;
-    if (!task.seconds) return by_pace;
-    const double as_expected = std::max(0.0, *task.seconds - reading.seconds);
-    const double weight = has_pace ? std::min(1.0, 20.0 * share) : 0.0;
-    return weight * by_pace + (1.0 - weight) * as_expected;
+/// The share of what was expected of all tasks, and of the one under way as it begins, that counts
+/// as much as what they have taken.
+constexpr double share_of_expected = 0.2;
+
+using Expected = std::vector<ExpectedTask>;
+
+/// The place among those expected of the task that began after `earlier` others of its name.
+Expected::const_iterator place_of(const Expected& expected, std::string_view task,
+                                  std::ptrdiff_t earlier) {
+    auto found = std::ranges::find(expected, task, &ExpectedTask::task);
+    for (; earlier > 0 && found != expected.end(); --earlier) {
+        const auto next = std::find_if(found + 1, expected.end(),
+                                       [&](const ExpectedTask& one) { return one.task == task; });
+        if (next == expected.end()) break;
+        found = next;
+    }
+    return found;
 }
 
-std::optional<double> left_of_round(const TaskMeter::Reading& reading,
-                                    const std::vector<ExpectedTask>& expected) {
-    const auto found = std::ranges::find(expected, reading.task, &ExpectedTask::task);
+bool has_pace(const TaskMeter::Reading& reading) {
+    return reading.share() >= least_share && reading.seconds >= least_seconds;
+}
+
+/// How many times as long as expected tasks take, by those that are over and the one under way.
+double slowness(const TaskMeter::Reading& reading, const Expected& expected,
+                const ExpectedTask& now) {
+    double meant = 0.0, took = 0.0;
+    for (const ExpectedTask& task : expected) meant += share_of_expected * task.seconds;
+    took = meant;
+    for (auto past = reading.past.begin(); past != reading.past.end(); ++past) {
+        const auto same = [&](const TaskMeter::Past& one) { return one.task == past->task; };
+        const auto place =
+            place_of(expected, past->task, std::count_if(reading.past.begin(), past, same));
+        if (place == expected.end() || place->seconds == 0.0) continue;
+        meant += place->seconds, took += past->seconds;
+    }
+    if (has_pace(reading) && now.seconds > 0.0)
+        meant += reading.share() * now.seconds, took += reading.seconds;
+    return meant > 0.0 ? took / meant : 1.0;
+}
+
+/// The seconds left of the task under way, of which so many were expected in all; none: not known.
+/// What was expected gives way to the pace, as a task may have something to prepare.
+std::optional<double> left_of_task(const TaskMeter::Reading& reading, double all) {
+    const double share = reading.share(), rest = 1.0 - share;
+    const double prior = all > 0.0 ? share_of_expected * rest * rest : 0.0;
+    if (!has_pace(reading) && all == 0.0) return std::nullopt;
+    if (reading.total == 0 || !has_pace(reading)) return std::max(0.0, all - reading.seconds);
+    return rest * (reading.seconds + prior * all) / (share + prior);
+}
+
+std::optional<double> left_of_round(const TaskMeter::Reading& reading, const Expected& expected) {
+    const auto same = [&](const TaskMeter::Past& one) { return one.task == reading.task; };
+    const auto found = place_of(expected, reading.task, std::ranges::count_if(reading.past, same));
     if (found == expected.end()) return std::nullopt;
-    const double texels = reading.texel_seconds;
-    ExpectedTask now = *found;
-    if (now.seconds && texels > 0.0) *now.seconds += now.times_texels * texels;
-    std::optional<double> left = left_of_task(reading, now);
+    const double slow = slowness(reading, expected, *found);
+    std::optional<double> left = left_of_task(reading, slow * found->seconds);
     if (!left) return left;
-    const double first = texels > 0.0 ? texels : reading.seconds + *left;
-    for (auto later = found + 1; later != expected.end(); ++later)
-        *left += later->seconds.value_or(0.0) + later->times_texels * first;
+    for (auto later = found + 1; later != expected.end(); ++later) *left += slow * later->seconds;
     return left;
 }
 

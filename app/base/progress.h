@@ -31,11 +31,11 @@ inline constexpr std::array<std::string_view, 5> progress_modes = {"auto", "line
 /// makes that `none`.
 ProgressMode progress_mode(std::string_view word, bool quiet);
 
-/// A task that is expected, and about how many seconds it takes.
+/// A task that is expected, and about how many seconds it takes; 0: not known before it is under
+/// way. What counts is how the tasks compare: all may take longer by the same factor.
 struct ExpectedTask {
     std::string_view task{};
-    std::optional<double> seconds{};  ///< none: unknown before it is under way
-    double times_texels = 0.0;        ///< times the seconds of the round's first task of texels
+    double seconds = 0.0;
 };
 
 /// How far a round of tasks is, as estimates.
@@ -45,7 +45,9 @@ struct TimeLeft {
 };
 
 /// The time left by the pace of the task under way and of the rounds before, and for the tasks
-/// after it by what is expected of them. A task that is not among them is unlike any.
+/// after it by what is expected of them, times how much longer than expected what is done has
+/// taken. A task that comes several times is expected as often. One that is not among those
+/// expected is unlike any.
 TimeLeft time_left(const TaskMeter::Reading& reading, const std::vector<ExpectedTask>& expected);
 
 /// Progress as it stands.
