@@ -60,7 +60,8 @@ std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& rec
     std::size_t normal_maps = 0;
     for (const Recipe& one : recipes) {
         const TrialCosts costs = costs_of(plan, one, pipeline);
-        textures.push_back({tasks::texture, costs.texture * share});
+        const bool on_host = !pipeline.context().synthesizer;
+        textures.push_back({tasks::texture, on_host ? costs.texture * share : 0.0});
         if (costs.normal_maps > 0) normals.push_back({tasks::normals, costs.normals * share});
         levels += costs.levels * share, pictures += costs.pictures * share;
         normal_maps = std::max(normal_maps, costs.normal_maps);
@@ -72,14 +73,15 @@ std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& rec
     const auto add = [&](const std::vector<ExpectedTask>& some) {
         all.insert(all.end(), some.begin(), some.end());
     };
-    const bool floats = plan.kind == ImageKind::rgb_float;
+    const bool writes = !plan.paths.empty();
+    const bool floats = writes && plan.kind == ImageKind::rgb_float;
     if (floats) textures.back().seconds += exr_seconds * texels;
     if (floats) add(normals);  // the map is a file of its own
     add(textures);
     if (plan.levels.count > 0) all.push_back({tasks::levels, levels});
     for (std::size_t i = 0; !floats && i < normal_maps; ++i) add(normals);
-    if (!floats) all.push_back({tasks::pictures, pictures});
-    all.push_back({tasks::write, writing_seconds * texels});
+    if (writes && !floats) all.push_back({tasks::pictures, pictures});
+    if (writes) all.push_back({tasks::write, writing_seconds * texels});
     return all;
 }
 

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "app/bake/bake.h"
-#include "app/base/progress.h"
 
 namespace burl {
 
-/// The tasks of a round of the plan, in their order; those of large textures are tried first
-/// (app/bake/trial.h). `pipeline` is that of the bake, and `recipe` that of its first frame.
+/// The tasks of a round of the plan, in their order; a plan without paths writes nothing. Those of
+/// large textures are tried first (app/bake/trial.h). `pipeline` is that of the bake, and `recipe`
+/// that of its first frame.
 std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& recipe,
                                          Pipeline& pipeline);
 

@@ -121,7 +121,7 @@ TrialCosts costs_of(Mesh squares, const StageContext& context, const Recipe& rec
         encode(picture.image, plan.coding, times);
     if (normals) encode(normals->image, plan.coding, times);
     costs.pictures = thread_seconds() - turned;
-    costs.normals = turned - made;
+    costs.normals = normals ? turned - made : 0.0;
     const StageRecords& records = pipeline.records();
     costs.normal_maps = records[Stage::normals].runs;
     // The material's MIP levels have had a normal map, too.
