@@ -12,7 +12,7 @@ namespace burl {
 namespace {
 
 // In seconds a texel (docs/lab/economy.md).
-constexpr double writing_seconds = 4e-9;     ///< of a picture, by any number of threads
+constexpr double writing_seconds = 1e-9;     ///< of files that encoding has not written yet
 constexpr double uv_point_seconds = 150e-9;  ///< of points by texture coordinates
 constexpr double patch_point_seconds = 11e-9;
 constexpr double block_point_seconds = 0.3e-9;

@@ -129,8 +129,13 @@ TrialCosts costs_of(Mesh squares, const StageContext& context, const Recipe& rec
     const double rest = std::max(0.0, made - start - (twice ? costs.normals : 0.0));
     const double rest_whole = whole - (twice ? records[Stage::normals].seconds / 2.0 : 0.0);
     costs.texture = rest;
-    if (plan.levels.count > 0 && rest_whole > 0.0)
-        costs.texture *= std::min(1.0, records[Stage::synthesis].seconds / rest_whole);
+    if (plan.levels.count > 0 && rest_whole > 0.0) {
+        const double of_levels = records[Stage::levels].seconds / rest_whole;
+        const double of_texture = records[Stage::synthesis].seconds / rest_whole;
+        // A texture alone is halved in bands as it is made; a material's levels come after it.
+        costs.texture *=
+            std::clamp(material.pictures.empty() ? 1.0 - of_levels : of_texture, 0.0, 1.0);
+    }
     costs.levels = rest - costs.texture;
     return costs;
 }
