@@ -1,6 +1,6 @@
 #pragma once
 // Text files compiled into the program (shaders, recipes, materials, sample
-// meshes), so that a copied binary needs nothing beside it.
+// meshes, the viewer of web pages), so that a copied binary needs nothing beside it.
 #include <span>
 #include <string_view>
 
@@ -14,6 +14,7 @@ struct EmbeddedFile {
 std::span<const EmbeddedFile> embedded_recipes();    ///< the presets, assets/recipes/papers/*.json
 std::span<const EmbeddedFile> embedded_materials();  ///< assets/materials/*.json
 std::span<const EmbeddedFile> embedded_meshes();     ///< the sample meshes, *.obj
+std::span<const EmbeddedFile> embedded_viewer();     ///< viewer.js of web pages, empty if not built
 std::span<const EmbeddedFile> embedded_shaders();    ///< all files of shaders/
 
 }  // namespace burl

@@ -101,6 +101,7 @@ void set_up(CLI::App& program) {
     burl::add_bench(program);
     burl::add_eval(program);
     burl::add_figures(program);
+    burl::add_page(program);
     burl::add_list(program);
     burl::add_show(program);
     burl::add_manual(program);

@@ -4,6 +4,7 @@
 // inputs.
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -24,6 +25,8 @@
 #include "app/export/command_files.h"
 #include "app/main/verbs.h"
 #include "app/pipeline/tasks.h"
+#include "app/recipe/presets.h"
+#include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -105,9 +108,27 @@ CommandFiles check_outputs(const BatchCommand& command, const std::vector<BatchB
     return {std::move(readers), std::move(writers)};
 }
 
+/// Throws Error for a mesh of the command line that is no file, before dozens of bakes say so.
+void check_meshes(const std::vector<std::string>& meshes) {
+    for (const std::string& mesh : meshes) {
+        const bool is_pattern = mesh.find_first_of("*?") != std::string::npos;
+        if (is_pattern || is_sample_mesh(mesh) || std::filesystem::exists(mesh)) continue;
+        const auto known = [&](const auto& names) {
+            return std::ranges::find(names, mesh) != names.end();
+        };
+        if (known(preset_names()) || known(material_names()))
+            throw Error(ExitCode::usage,
+                        fmt::format("batch: {} is a recipe, where a mesh should stand; give each "
+                                    "recipe a -r of its own",
+                                    mesh));
+        throw Error(ExitCode::io, fmt::format("batch: there is no mesh {}", mesh));
+    }
+}
+
 /// The bakes that the command lists, in its shard.
 std::vector<BatchEntry> entries_of(const BatchCommand& command) {
     const BatchShard shard = batch_shard(command.shard);
+    if (!command.is_manifest()) check_meshes(command.what);
     return command.is_manifest() ? read_manifest(command.what.front(), shard)
                                  : matrix_of_options(command.what, command.options(), shard);
 }

@@ -15,6 +15,7 @@ void add_metrics(CLI::App& program);
 void add_bench(CLI::App& program);
 void add_eval(CLI::App& program);
 void add_figures(CLI::App& program);
+void add_page(CLI::App& program);
 void add_list(CLI::App& program);
 void add_show(CLI::App& program);
 void add_manual(CLI::App& program);

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Makes all pictures of README.md and docs/guide/ anew, by Burl itself; those of materials are Blender's (materials.sh).
 #   docs/images/make.sh build/release/bin            all of them
-#   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials serpentine blender
-# Debian's packages netpbm (atlases, bumps), webp (tour, materials, blender) and blender (materials, blender) are needed.
+#   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials serpentine page blender
+# Debian's packages netpbm (atlases, bumps), webp (tour, materials, page, blender), blender (materials, blender), nodejs and chromium
+# (page) are needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 bin=$(cd "${1:?the folder of the programs is missing, such as build/release/bin}" && pwd)
@@ -73,6 +74,15 @@ serpentine() { # docs/guide/materials.md
     "$burl" render sample:bust --direct --recipe "$here/serpentine.mtlx" --size 480x480 -o "$here/serpentine.webp"
 }
 
+page() { # docs/guide/web-page.md
+    "$burl" bake sample:bust -o "$scratch/malachite.glb" --recipe malachite --size 1024 --quiet
+    "$burl" bake sample:bust -o "$scratch/oak.glb" --recipe oak --size 1024 --quiet
+    "$burl" page "$scratch/malachite.glb" "$scratch/oak.glb" -o "$scratch/page" >"$scratch/log"
+    node "$here/web-page.mjs" "$(command -v chromium)" "$scratch/page/index.html#asset=malachite&show=both&lines=charts&view=30,15,3.3" \
+        "$scratch/page.png"
+    cwebp -quiet -q 82 "$scratch/page.png" -o "$here/web-page.webp"
+}
+
 blender() { # docs/guide/blender.md
     local run=(blender --background --factory-startup --python-exit-code 1 --python) addon=$here/../../app/blender/burl_addon.py
     mkdir "$scratch/scripts"
@@ -83,7 +93,7 @@ blender() { # docs/guide/blender.md
     cwebp -quiet -q 88 "$scratch/nodes.png" -o "$here/blender-nodes.webp"
 }
 
-parts=(teapot atlases bumps turntable sheet editor tour figures materials serpentine blender)
+parts=(teapot atlases bumps turntable sheet editor tour figures materials serpentine page blender)
 for part in "${@:-${parts[@]}}"; do
     [[ " ${parts[*]} " == *" $part "* ]] || { echo "$part is no picture: name some of ${parts[*]}" >&2; exit 1; }
     echo "$part"

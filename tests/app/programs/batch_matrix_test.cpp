@@ -53,6 +53,20 @@ TEST_F(BatchMatrixRun, WritesEveryCombinationAsSingleBakesDo) {
     }
 }
 
+TEST_F(BatchMatrixRun, AMeshThatIsNoneIsOneSentence) {
+    const std::string a = scratch / "a.obj", out = scratch / "{mesh}_{recipe}.glb";
+    const auto refused = [&](const std::string& what) {
+        const Outcome outcome =
+            run_burl(scratch, fmt::format("batch '{}' {} -o '{}' --dry-run", a, what, out));
+        expect_one_sentence(outcome.err);
+        return outcome;
+    };
+    const Outcome recipe = refused("-r oak gold");
+    EXPECT_EQ(recipe.exit_code, 1);
+    EXPECT_NE(recipe.err.find("gold is a recipe"), std::string::npos) << recipe.err;
+    EXPECT_EQ(refused("nothing.obj -r oak").exit_code, 2);
+}
+
 TEST_F(BatchMatrixRun, ShardsAndWorkersGiveTheSameBytes) {
     ASSERT_EQ(run("all", "--jobs 1").exit_code, 0);
     ASSERT_EQ(run("three", "--jobs 4").exit_code, 0);
