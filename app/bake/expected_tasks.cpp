@@ -53,7 +53,7 @@ std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& rec
     const std::span<const Recipe> recipes =
         plan.sharing.empty() ? std::span(&recipe, 1) : std::span<const Recipe>(plan.sharing);
     const double texels = double(recipe.atlas.columns()) * double(recipe.atlas.rows());
-    const double share = texels / double(recipes.size());
+    const double share = texels / double(recipes.size()), shown = usual_coverage * share;
     const AtlasKind kind = recipe.atlas.kind;
     std::vector<ExpectedTask> textures, normals;
     double levels = 0.0, pictures = 0.0;
@@ -61,8 +61,8 @@ std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& rec
     for (const Recipe& one : recipes) {
         const TrialCosts costs = costs_of(plan, one, pipeline);
         const bool on_host = !pipeline.context().synthesizer;
-        textures.push_back({tasks::texture, on_host ? costs.texture * share : 0.0});
-        if (costs.normal_maps > 0) normals.push_back({tasks::normals, costs.normals * share});
+        textures.push_back({tasks::texture, on_host ? shown * costs.texture : 0.0});
+        if (costs.normal_maps > 0) normals.push_back({tasks::normals, shown * costs.normals});
         levels += costs.levels * share, pictures += costs.pictures * share;
         normal_maps = std::max(normal_maps, costs.normal_maps);
     }

@@ -21,8 +21,6 @@ constexpr std::uint32_t squares_a_side = 4, square_count = squares_a_side * squa
 constexpr std::uint32_t least_trial = 256, most_trial = 512;
 /// The bake's texels a thread for each of the trial's.
 constexpr double texels_a_trial = 64.0;
-/// The share of a texture's texels that show something, about.
-constexpr double usual_coverage = 0.8;
 
 /// Two directions along triangle t of the mesh, at right angles and of length 1.
 std::pair<Vec3d, Vec3d> directions_of(const Mesh& mesh, std::size_t t) {

@@ -12,6 +12,9 @@ struct TrialCosts {
     std::size_t normal_maps = 0;  ///< how often normals are worked out: MIP levels need them, too
 };
 
+/// The share of a texture's texels that show something, about.
+inline constexpr double usual_coverage = 0.85;
+
 /// The number of threads that the plan's bake has.
 double threads_at_work(const BakePlan& plan);
 
