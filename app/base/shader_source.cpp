@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/base/embedded.h"
+#include "app/base/shader_numbers.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -76,12 +77,38 @@ ShaderSource& ShaderSource::define_real(bool float64) {
 }
 
 ShaderSource& ShaderSource::add(std::string_view embedded) {
-    return add(std::string(embedded), embedded_shader(embedded));
+    add(std::string(embedded), embedded_shader(embedded));
+    parts_.back().generated = false;
+    return *this;
 }
 
 ShaderSource& ShaderSource::add(std::string name, std::string_view text) {
     parts_.push_back({std::move(name), part_text(text)});
     return *this;
+}
+
+std::vector<float> ShaderSource::take_numbers(std::size_t most) {
+    std::vector<float> values;
+    std::vector<Part> parts = parts_;
+    for (Part& part : parts) {
+        if (!part.generated) continue;
+        const ShaderNumbers cut = shader_numbers(part.text);
+        std::vector<std::string> elements;
+        for (const ShaderNumber& number : cut.numbers) {
+            elements.push_back(fmt::format("generated_numbers[{}].{}", values.size() / 4,
+                                           "xyzw"[values.size() % 4]));
+            values.push_back(float(number.value));
+        }
+        part.text = with_expressions(cut, elements);
+    }
+    if (values.empty() || values.size() > most) return {};
+    const auto first = std::ranges::find(parts, true, &Part::generated);
+    parts.insert(
+        first,
+        {"numbers", fmt::format("uniform vec4 generated_numbers[{}];\n", (values.size() + 3) / 4),
+         false});
+    parts_ = std::move(parts);
+    return values;
 }
 
 std::string ShaderSource::text() const {

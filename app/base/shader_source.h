@@ -31,6 +31,11 @@ class ShaderSource {
     /// Adds text that messages call `name`.
     ShaderSource& add(std::string name, std::string_view text);
 
+    /// Replaces the floating-point numbers of generated parts, which must be in float32, by
+    /// elements of the uniform `vec4 generated_numbers[]`, and returns their values, so that
+    /// shaders which differ in numbers alone have one text. More than `most` stay where they are.
+    std::vector<float> take_numbers(std::size_t most);
+
     std::string text() const;
     /// A compiler's log of text() in which each line number of the whole is replaced by the part's
     /// name and the line within it.
@@ -39,6 +44,7 @@ class ShaderSource {
   private:
     struct Part {
         std::string name, text;
+        bool generated = true;
     };
     std::string place_of(std::size_t line) const;
 

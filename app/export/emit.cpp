@@ -10,12 +10,12 @@
 #include <ImfVecAttribute.h>
 #include <fmt/format.h>
 
+#include "app/base/shader_numbers.h"
 #include "app/base/shader_source.h"
 #include "app/base/version.h"
 #include "app/export/emit_knobs.h"
 #include "app/export/emit_material.h"
 #include "app/export/knob.h"
-#include "app/export/shader_numbers.h"
 #include "app/image/exr_stream.h"
 #include "app/pipeline/pipeline.h"
 #include "app/recipe/edit/controls.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/export/shader_numbers.h"
+#include "app/base/shader_numbers.h"
 #include "app/pipeline/material.h"
 #include "procedural/color/srgb.h"
 #include "procedural/glsl/graph.h"

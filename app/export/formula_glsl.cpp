@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "app/export/shader_numbers.h"
+#include "app/base/shader_numbers.h"
 
 namespace burl {
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "app/base/shader_numbers.h"
 #include "app/export/formula_glsl.h"
-#include "app/export/shader_numbers.h"
 #include "app/recipe/edit/formula.h"
 #include "procedural/color/srgb.h"
 #include "procedural/model/texture_json.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "app/base/shader_numbers.h"
 #include "app/export/emit_knobs.h"
 #include "app/export/knob.h"
-#include "app/export/shader_numbers.h"
 
 namespace burl {
 

@@ -94,6 +94,9 @@ class GlProgram {
     void set(const char* name, const Vec4f& v) const {
         gl_->Uniform4f(uniform(name), v.x, v.y, v.z, v.w);
     }
+    void set(const char* name, std::span<const Vec4f> values) const {
+        gl_->Uniform4fv(uniform(name), GLsizei(values.size()), &values[0].x);
+    }
     void set(const char* name, const glm::mat3& m) const {
         gl_->UniformMatrix3fv(uniform(name), 1, GL_FALSE, &m[0][0]);
     }

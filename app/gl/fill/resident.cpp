@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t map_budget = std::size_t(1) << 30;  // bytes of point maps that are kept
 constexpr int tile_side = 2048;
 constexpr std::size_t most_programs = 64, most_pictures = 8;
+constexpr int other_components = 256;  // of uniforms besides numbers: matrices, sample patterns
 /// The last texture units that OpenGL 3.3 has in any case: graphs' own begin at 0.
 constexpr int tangents_unit = 13, normals_unit = 14, paint_unit = 15;
 
@@ -66,7 +67,7 @@ std::string bumps_text(const Recipe& recipe, std::size_t output) {
     return fmt::format(R"(
 uniform sampler2D frame_normals, frame_tangents;
 layout(location = {0}) out vec4 picture{0};
-const mat3 height_linear = mat3({1}, {2}, {3});
+mat3 height_linear = mat3({1}, {2}, {3});
 vec3 bumped(ivec2 place, ivec2 texel) {{
     vec4 frame = texelFetch(frame_normals, place, 0);
     vec3 normal = frame.xyz, tangent = texelFetch(frame_tangents, place, 0).xyz;
@@ -121,6 +122,13 @@ std::string outputs_text(const Recipe& recipe, const std::vector<PicturePlan>& p
             "    picture{} = vec4(0.5 + 0.5 * bumped(ivec2(gl_FragCoord.xy), texel), 1.0);\n",
             plans.size() + 1);
     return text + "}\n";
+}
+
+/// How many numbers a shader may hold beside its other uniforms.
+std::size_t most_numbers(const GladGLContext& gl) {
+    GLint components = 0;
+    gl.GetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &components);
+    return std::size_t(std::max(components - other_components, 0));
 }
 
 /// A texture of this side with memory for all levels.
@@ -247,24 +255,31 @@ void GlPictureMaker::bind_inputs(const GlProgram& program, const GlTexture* pain
 }
 
 /// The program of a recipe, which stays until the atlas is forgotten; sets graph_.
-const GlProgram& GlPictureMaker::program(const Recipe& recipe,
-                                         const std::vector<PicturePlan>& plans,
-                                         const SolidAtlas& solid) {
+GlPictureMaker::Material GlPictureMaker::material(const Recipe& recipe,
+                                                  const std::vector<PicturePlan>& plans,
+                                                  const SolidAtlas& solid) {
     const bool bumps = draws_bumps(recipe);
-    const ShaderSource source = graph_.set_material(
+    ShaderSource source = graph_.set_material(
         solid, recipe.texture, bumps ? recipe.bump.input : TextureGraph(),
         texture_from_solid(recipe), recipe.filter,
         [&](const std::string& color) { return outputs_text(recipe, plans, color, bumps); });
+    const std::vector<float> numbers = source.take_numbers(most_numbers(*gl_));
+    std::vector<Vec4f> fours((numbers.size() + 3) / 4, Vec4f(0.0f));
+    for (std::size_t i = 0; i < numbers.size(); ++i) fours[i / 4][int(i % 4)] = numbers[i];
     if (programs_.size() >= most_programs) programs_.clear();
     std::string text = source.text();
-    if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
-    GlProgram made = make_full_screen_program(*gl_, "a material", source);
-    return programs_.emplace(std::move(text), std::move(made)).first->second;
+    auto found = programs_.find(text);
+    if (found == programs_.end())
+        found =
+            programs_.emplace(std::move(text), make_full_screen_program(*gl_, "a material", source))
+                .first;
+    return {&found->second, std::move(fours)};
 }
 
 /// Fills level 0 of the textures, tile by tile.
-void GlPictureMaker::draw(const GlPictures& into, const GlProgram& program,
+void GlPictureMaker::draw(const GlPictures& into, const Material& material,
                           const GlTexture* paint) {
+    const GlProgram& program = *material.program;
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
     std::vector<GLenum> outputs;
     for (std::size_t i = 0; i < most_pictures; ++i) {
@@ -283,6 +298,7 @@ void GlPictureMaker::draw(const GlPictures& into, const GlProgram& program,
         program.use();
         graph_.bind<Rgb8>(program, points.get());
         program.set("tile_origin", tile.origin);
+        if (!material.numbers.empty()) program.set("generated_numbers", material.numbers);
         bind_inputs(program, paint);
         pass_.draw();
     });
@@ -299,7 +315,7 @@ std::shared_ptr<const GlPictures> GlPictureMaker::make(const SolidAtlas& solid,
     for (const PicturePlan& plan : plans) is_color.push_back(plan.is_color);
     if (draws_bumps(recipe)) is_color.push_back(false);
     const std::shared_ptr<GlPictures> pictures = pool_.take(int(solid.size), is_color);
-    const GlProgram& made = program(recipe, plans, solid);
+    const Material made = material(recipe, plans, solid);
     const GlTexture* paint =
         has_color_paint(recipe.paint) ? &paint_.show(solid, recipe.paint) : nullptr;
     draw(*pictures, made, paint);

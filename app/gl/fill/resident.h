@@ -56,6 +56,7 @@ class GlPaint {
 };
 
 /// The maker of pictures in one context, which must be current in every call and outlive it.
+/// Recipes that differ in numbers alone share a program, so that a slider compiles nothing.
 class GlPictureMaker {
   public:
     explicit GlPictureMaker(GlContext& context);
@@ -74,13 +75,20 @@ class GlPictureMaker {
                                            const std::vector<PicturePlan>& plans);
     /// Drops everything about the atlas; must be called before it changes or is destroyed.
     void forget_atlas();
+    /// The number of programs that it has compiled and keeps.
+    std::size_t programs() const { return programs_.size(); }
 
   private:
-    const GlProgram& program(const Recipe& recipe, const std::vector<PicturePlan>& plans,
-                             const SolidAtlas& solid);
+    /// A program, and the numbers of one recipe for it.
+    struct Material {
+        const GlProgram* program;
+        std::vector<Vec4f> numbers;
+    };
+    Material material(const Recipe& recipe, const std::vector<PicturePlan>& plans,
+                      const SolidAtlas& solid);
     bool draws_bumps(const Recipe& recipe) const { return frames_ && makes_bumps(recipe); }
     void bind_inputs(const GlProgram& program, const GlTexture* paint) const;
-    void draw(const GlPictures& into, const GlProgram& program, const GlTexture* paint);
+    void draw(const GlPictures& into, const Material& material, const GlTexture* paint);
 
     const GladGLContext* gl_;
     GlGraphPass graph_;
@@ -92,7 +100,8 @@ class GlPictureMaker {
     };
     GlPaint paint_;
     std::optional<Frames> frames_;
-    std::map<std::string, GlProgram> programs_;  ///< keyed by the text of the fragment shader
+    /// Keyed by the text of the fragment shader, without its numbers.
+    std::map<std::string, GlProgram> programs_;
 };
 
 /// A pass of the papers' multipass noise, as a number from 1 on.

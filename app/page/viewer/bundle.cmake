@@ -39,6 +39,7 @@ else()
     fetch_three()
 endif()
 if(ESBUILD AND EXISTS ${modules}/three/package.json)
+    set_property(GLOBAL PROPERTY BURL_VIEWER_LICENSE ${modules}/three/LICENSE)  # for the package's copyright
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.js ${CMAKE_CURRENT_LIST_DIR}/*.css)
     add_custom_command(OUTPUT ${BURL_VIEWER_DIR}/viewer.js
         COMMAND ${CMAKE_COMMAND} -E env NODE_PATH=${modules} ${ESBUILD} ${CMAKE_CURRENT_LIST_DIR}/main.js --bundle --minify

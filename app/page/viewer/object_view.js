@@ -9,10 +9,13 @@ const degrees = Math.PI / 180;
 // The sphere round all drawn points: its centre is the middle of their box.
 function sphereOf(scene) {
     scene.updateMatrixWorld(true);
-    const box = new THREE.Box3(), point = new THREE.Vector3(), meshes = [];
+    const box = new THREE.Box3(), point = new THREE.Vector3(), place = new THREE.Matrix4(), meshes = [];
     const forPoints = (mesh, use) => {
-        for (let i = 0; i < mesh.geometry.attributes.position.count; ++i) {
-            use(mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld));
+        for (let copy = 0; copy < (mesh.count ?? 1); ++copy) {
+            if (mesh.isInstancedMesh) mesh.getMatrixAt(copy, place);
+            place.premultiply(mesh.matrixWorld);
+            for (let i = 0; i < mesh.geometry.attributes.position.count; ++i) use(mesh.getVertexPosition(i, point).applyMatrix4(place));
+            place.identity();
         }
     };
     scene.traverse((mesh) => mesh.isMesh && meshes.push(mesh));

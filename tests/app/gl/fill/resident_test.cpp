@@ -2,8 +2,10 @@
 #include "app/gl/fill/resident.h"
 
 #include <cstdlib>
+#include <set>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/pipeline/material.h"
@@ -195,6 +197,34 @@ TEST_F(GlResidentTest, PicturesInUseStay) {
     const auto* const released = first.get();
     first.reset();
     EXPECT_EQ(maker.make(pipeline.solid(), marble, {}).get(), released);
+}
+
+/// While a slider moves, nothing is compiled, and every texture is the host's (expect_hosts above).
+TEST_F(GlResidentTest, RecipesThatDifferInNumbersShareAProgram) {
+    const std::vector<std::string> base{"atlas.size=32", "atlas.kind=quad"};
+    Pipeline pipeline(sample_mesh("sample:cube"));
+    pipeline.set_recipe(load_recipe("marble", base));
+    GlPictureMaker maker(*context);
+    const auto codes_at = [&](const char* recipe, const std::string& path, double value) {
+        std::vector<std::string> settings = base;
+        settings.push_back(fmt::format("{}={}", path, value));
+        const auto made = maker.make(pipeline.solid(), load_recipe(recipe, settings), {});
+        return read(made->images[0], 0, 32);
+    };
+    const std::pair<const char*, const char*> sliders[] = {
+        {"marble", "texture.input.noise.0.amplitude"},
+        {"marble", "texture.input.noise.0.frequency.0"},
+        {"marble", "solid.scale"},
+        {"oak", "ring spacing"}};
+    for (const auto& [recipe, path] : sliders) {
+        const auto first = codes_at(recipe, path, 0.011);
+        const std::size_t before = maker.programs();
+        std::set<std::vector<std::uint8_t>> all{first};
+        for (const double value : {0.0123, 0.013, 0.016, 0.0171, 0.019})
+            all.insert(codes_at(recipe, path, value));
+        EXPECT_EQ(maker.programs(), before) << path;
+        EXPECT_EQ(all.size(), 6u) << path << ": the numbers have no effect";
+    }
 }
 
 TEST_F(GlResidentTest, ProblemsAreClauses) {

@@ -1,5 +1,5 @@
 // A shader's text, cut at its numbers and put together again.
-#include "app/export/shader_numbers.h"
+#include "app/base/shader_numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/export/shader_numbers.h"
+#include "app/base/shader_numbers.h"
 
 #include <algorithm>
 #include <charconv>
