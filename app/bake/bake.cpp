@@ -9,6 +9,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include "app/bake/expected_tasks.h"
 #include "app/bake/texture.h"
 #include "app/bake/tiles.h"
 #include "app/base/stopwatch.h"
@@ -43,13 +44,11 @@ void tell_shortage(const BakePlan& plan, const Mesh& mesh, const AtlasOptions& a
         tell(plan, mesh, shortage(capacity(mesh.triangles.size(), atlas)));
 }
 
-/// Tells what comes next, at a share of the frame `number`. Throws Error where the bake is to stop.
-void go_on(const BakePlan& plan, std::size_t number, const char* next, double share) {
+/// Tells what comes next. Throws Error where the bake is to stop.
+void go_on(const BakePlan& plan, const char* next) {
     if (plan.stop.stop_requested())
         throw Error(ExitCode::runtime, "the export was stopped before it was done");
-    const auto frames = double(std::max<std::size_t>(plan.paths.size(), 1));
-    if (plan.reached) plan.reached(next, (double(number) + share) / frames);
-    if (plan.meter) plan.meter->begin(next);
+    if (plan.told) plan.told->meter().begin(next);
 }
 
 std::string shader_text(const BakePlan& plan, const Pipeline& pipeline) {
@@ -102,9 +101,8 @@ ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const Mes
     return options;
 }
 
-/// The bytes of all pictures of a scene that an encoder counts, as PNG's does; 0 of others.
+/// The bytes of all pictures of a scene, which encoders count.
 std::uint64_t bytes_to_encode(const BakedImage& color, const ExportOptions& options) {
-    if (options.coding.format != TextureFormat::png) return 0;
     std::uint64_t bytes = 0;
     const auto add = [&](const auto& images) {
         std::visit([&](const auto& image) { bytes += bytes_of(image); }, images);
@@ -190,9 +188,9 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
         pictures ? BakedTexture{std::move(material.color), std::move(material.color_levels)}
                  : bake_texture(pipeline, kind, plan.levels);
     result.texture = compressed_bake(pipeline.atlas(), std::move(texture.image), plan.compress);
-    go_on(plan, number, tasks::normals, 0.7);
+    if (plan.normals != NormalSpace::none) go_on(plan, tasks::normals);
     std::optional<NormalMap> normals = bake_normals(pipeline, plan, material);
-    go_on(plan, number, tasks::pictures, 0.85);
+    go_on(plan, tasks::pictures);
     if (releases) pipeline.release_texels();
     const auto writing = Clock::now();
     ExportOptions options = export_options(pipeline, plan, pose);
@@ -207,9 +205,9 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     }
     cut_to_extent(pipeline.atlas().options, result.texture.image, options);
     options.coding = plan.coding;
-    options.coding.meter = plan.meter;
-    if (plan.meter)
-        plan.meter->begin(tasks::pictures, bytes_to_encode(result.texture.image, options));
+    options.coding.meter = plan.meter();
+    if (plan.told)
+        plan.told->meter().begin(tasks::pictures, bytes_to_encode(result.texture.image, options));
     options.exr_depth = plan.exr_depth;
     const BakedAtlas& baked = result.texture;
     const Atlas& atlas = baked.packed ? *baked.packed : pipeline.atlas();
@@ -293,13 +291,16 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
 
     StageContext& context = pipeline.context();
     Stages& stages = pipeline.stages();
-    context.stop = plan.stop, context.meter = plan.meter;
-    if (plan.meter) plan.meter->begin_round(0, plan.paths.size());
+    context.stop = plan.stop, context.meter = plan.meter();
+    if (plan.told) {
+        plan.told->meter().begin_round(0, plan.paths.size());
+        plan.told->expect(expected_tasks(plan, recipe, pipeline));
+    }
     tell_shortage(plan, mesh, recipe.atlas, nullptr);
-    go_on(plan, 0, tasks::layout, 0.0);
+    go_on(plan, tasks::layout);
     const Connectivity& edges = pipeline.connectivity();
     const MeshAtlas* made = stages.layout.run(context, mesh, edges, recipe.atlas, plan.stop);
-    go_on(plan, 0, tasks::points, 0.25);
+    go_on(plan, tasks::points);
     const MeshAtlas& atlas = *made;
     tell(plan, mesh, atlas.atlas().notes.fallback);
     for (const std::string& loss : uv_losses(mesh, atlas.atlas().notes)) tell(plan, mesh, loss);
@@ -314,15 +315,15 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     for (std::size_t i = 0; i < plan.paths.size(); ++i) {
         const bool last = i + 1 == plan.paths.size();
         if (i > 0) set_frame(pipeline, plan, i);
-        if (i > 0 && plan.meter) plan.meter->begin_round(i, plan.paths.size());
+        if (i > 0 && plan.told) plan.told->meter().begin_round(i, plan.paths.size());
         result.texture = {};  // frees the last frame's texture before the next is made
         result.normals.reset();
-        go_on(plan, i, tasks::texture, 0.3);
+        go_on(plan, tasks::texture);
         std::vector<AtomicFile> files =
             files_of_frame(pipeline, plan, i, pose, last && !needed_later, result);
-        go_on(plan, i, tasks::write, 0.95);
+        go_on(plan, tasks::write);
         if (last) add_beside(files, pipeline, plan, shader, result);
-        go_on(plan, i, tasks::write, 0.98);
+        go_on(plan, tasks::write);
         commit(files, result);
     }
     return result;

@@ -10,6 +10,7 @@
 
 #include "app/bake/material.h"
 #include "app/bake/texture.h"
+#include "app/base/course.h"
 #include "app/export/export.h"
 #include "app/kept/scene.h"
 #include "app/pipeline/pipeline.h"
@@ -52,13 +53,12 @@ struct BakePlan {
     std::shared_ptr<const KeptObj> obj{};  ///< the mesh's own OBJ, of which an .obj keeps the rest
     bool vertex_colors = false;            ///< whether colours per point replace the texture
     bool strips = false;                   ///< whether the scene has triangle strips
-    /// Is told what comes next, and which share of the bake is done, 0 to 1; empty: nobody is.
-    std::function<void(const char* next, double share)> reached{};
-    TaskMeter* meter = nullptr;  ///< is told what is done, and how much of it; null: nobody is
+    Course* told = nullptr;  ///< is told what is done, and how much of it; null: nobody is
     /// A request by another thread to stop: bake() then throws Error(runtime) soon. Files of frames
     /// that are done stay; of the frame under way none is written.
     std::stop_token stop{};
 
+    TaskMeter* meter() const { return told ? &told->meter() : nullptr; }
     /// The options that the material depends on; strip atlases may have fewer levels.
     MaterialAsked material() const {
         return {packing, depth, levels.count, normals == NormalSpace::tangent, crease_degrees};

@@ -1,9 +1,9 @@
 #include "app/bake/expected_tasks.h"
 
+#include <algorithm>
 #include <span>
 
-#include <tbb/global_control.h>
-
+#include "app/bake/trial.h"
 #include "app/pipeline/material.h"
 #include "app/pipeline/tasks.h"
 
@@ -11,35 +11,78 @@ namespace burl {
 
 namespace {
 
-// Of one thread, in seconds a texel (docs/lab/economy.md).
-constexpr double averaging_seconds = 60e-9;  ///< of a picture's MIP levels
-constexpr double encoding_seconds = 80e-9;   ///< of a picture of 8 bits
-constexpr double writing_seconds = 4e-9;     ///< of a picture, by any number of threads
-/// How much longer normals take than the texture, about: from 1.1 to 2.6 times.
-constexpr double normals_to_texture = 1.6;
+// In seconds a texel (docs/lab/economy.md).
+constexpr double writing_seconds = 1e-9;     ///< of files that encoding has not written yet
+constexpr double uv_point_seconds = 150e-9;  ///< of points by texture coordinates
+constexpr double patch_point_seconds = 11e-9;
+constexpr double block_point_seconds = 0.3e-9;
+constexpr double exr_seconds = 12e-9;  ///< of a band of floats
+// In seconds a triangle.
+constexpr double patch_layout_seconds = 14e-6, layout_seconds = 1e-6;
 
-double threads_at_work(const BakePlan& plan) {
-    const auto all =
-        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    return double(plan.threads > 0 ? std::size_t(plan.threads) : all);
+/// The costs of a bake too small for a trial, about; of one thread.
+TrialCosts usual_costs(const BakePlan& plan, const Recipe& recipe) {
+    const bool has_normals = plan.normals != NormalSpace::none;
+    const MaterialAsked asked = plan.material();
+    const double pictures = 1.0 + double(picture_names(std::span(&recipe, 1), asked).size()) +
+                            (has_normals ? 1.0 : 0.0);
+    TrialCosts costs{60e-9, 0.0, 120e-9, 60e-9 * pictures};
+    if (asked.levels > 0) costs.levels = 60e-9 * pictures;
+    if (has_normals) costs.normal_maps = asked.rough_levels() ? 2 : 1;
+    const double threads = threads_at_work(plan);
+    for (double* cost : {&costs.texture, &costs.levels, &costs.normals, &costs.pictures})
+        *cost /= threads;
+    return costs;
+}
+
+TrialCosts costs_of(const BakePlan& plan, const Recipe& recipe, Pipeline& pipeline) {
+    const TrialCosts costs = plan.vertex_colors ? TrialCosts() : try_costs(pipeline, recipe, plan);
+    return costs.texture > 0.0 ? costs : usual_costs(plan, recipe);
+}
+
+double point_seconds(AtlasKind kind) {
+    return kind == AtlasKind::uv      ? uv_point_seconds
+           : kind == AtlasKind::patch ? patch_point_seconds
+                                      : block_point_seconds;
 }
 
 }  // namespace
 
-std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& recipe) {
-    const double texels = double(recipe.atlas.columns()) * double(recipe.atlas.rows());
-    const bool has_normals = plan.normals != NormalSpace::none;
-    const MaterialAsked asked = plan.material();
+std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& recipe,
+                                         Pipeline& pipeline) {
     const std::span<const Recipe> recipes =
         plan.sharing.empty() ? std::span(&recipe, 1) : std::span<const Recipe>(plan.sharing);
-    const double pictures =
-        1.0 + double(picture_names(recipes, asked).size()) + (has_normals ? 1.0 : 0.0);
-    const double each = pictures * texels, one = each / threads_at_work(plan);
-    return {{tasks::texture, std::nullopt},
-            {tasks::levels, plan.levels.count > 0 ? averaging_seconds * one : 0.0},
-            {tasks::normals, 0.0, has_normals ? normals_to_texture : 0.0},
-            {tasks::pictures, encoding_seconds * one * double(plan.depth) / 8.0},
-            {tasks::write, writing_seconds * each}};
+    const double texels = double(recipe.atlas.columns()) * double(recipe.atlas.rows());
+    const double share = texels / double(recipes.size()), shown = usual_coverage * share;
+    const AtlasKind kind = recipe.atlas.kind;
+    std::vector<ExpectedTask> textures, normals;
+    double levels = 0.0, pictures = 0.0;
+    std::size_t normal_maps = 0;
+    for (const Recipe& one : recipes) {
+        const TrialCosts costs = costs_of(plan, one, pipeline);
+        const bool on_host = !pipeline.context().synthesizer;
+        textures.push_back({tasks::texture, on_host ? shown * costs.texture : 0.0});
+        if (costs.normal_maps > 0) normals.push_back({tasks::normals, shown * costs.normals});
+        levels += costs.levels * share, pictures += costs.pictures * share;
+        normal_maps = std::max(normal_maps, costs.normal_maps);
+    }
+    const double triangles = double(pipeline.mesh().triangles.size());
+    const double layout = kind == AtlasKind::patch ? patch_layout_seconds : layout_seconds;
+    std::vector<ExpectedTask> all{{tasks::layout, layout * triangles},
+                                  {tasks::points, point_seconds(kind) * texels}};
+    const auto add = [&](const std::vector<ExpectedTask>& some) {
+        all.insert(all.end(), some.begin(), some.end());
+    };
+    const bool writes = !plan.paths.empty();
+    const bool floats = writes && plan.kind == ImageKind::rgb_float;
+    if (floats) textures.back().seconds += exr_seconds * texels;
+    if (floats) add(normals);  // the map is a file of its own
+    add(textures);
+    if (plan.levels.count > 0) all.push_back({tasks::levels, levels});
+    for (std::size_t i = 0; !floats && i < normal_maps; ++i) add(normals);
+    if (writes && !floats) all.push_back({tasks::pictures, pictures});
+    if (writes) all.push_back({tasks::write, writing_seconds * texels});
+    return all;
 }
 
 }  // namespace burl

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/bake/expected_tasks.h"
 #include "app/bake/report.h"
 #include "app/bake/tiles.h"
 #include "app/bake/up_to_date.h"
@@ -278,8 +277,7 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     }
     plan.kept = kept;
     if (pose) plan.pose_keys = pose_keys();
-    if (command_.told) command_.told->expect(expected_tasks(plan, recipes[0]));
-    if (command_.told) plan.meter = command_.told->meter();
+    plan.told = command_.told;
     if (kept) {
         prepare(*kept, command_.mesh, command_.meshes.read, pictures_,
                 frame_transform(command_.meshes.frame));

@@ -29,7 +29,7 @@ class BakeJob {
 
     const BakeCommand& command() const { return command_; }
     /// Has the progress told of the bake; null: nobody is.
-    void tell(Progress* progress) { command_.told = progress; }
+    void tell(Course* course) { command_.told = course; }
     /// The recipe of the first frame.
     const Recipe& recipe() const { return recipes_->front(); }
     /// The number of pictures of the texture or material, without MIP levels and masks.

@@ -236,7 +236,10 @@ AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
                     })));
         }
     }
-    return write_exr_layers(path, layers, depth);
+    std::uint64_t texels = 0;
+    for (const Image<RgbaF>& level : floats.pictures[0]) texels += level.pixels().size();
+    pipeline.context().begin(tasks::write, texels);
+    return write_exr_layers(path, layers, depth, pipeline.context().meter);
 }
 
 std::string numbers_in_no_picture(const Recipe& recipe, Packing packing) {

@@ -18,7 +18,7 @@ class App;
 
 namespace burl {
 
-class Progress;
+class Course;
 
 /// Values of the options of one bake.
 struct BakeCommand {
@@ -55,7 +55,7 @@ struct BakeCommand {
     bool makes_folders = false;           ///< whether folders of outputs may be missing yet
     bool force = false;                   ///< bake even if the outputs are up to date
     std::string progress = "auto";        ///< a word of progress_modes
-    Progress* told = nullptr;             ///< is told of the bake's progress; null: nobody is
+    Course* told = nullptr;               ///< is told of the bake's progress; null: nobody is
 
     /// Bits of pictures that are no .exr.
     int bits() const { return std::min(depth.value_or(8), 16); }

@@ -19,37 +19,6 @@ constexpr TaskMeter::Clock::duration line_delay = milliseconds(500),
                                      line_period = milliseconds(100),
                                      json_period = milliseconds(500);
 constexpr TaskMeter::Clock::duration plain_period = std::chrono::seconds(10);
-/// The least share of a task, and the least seconds, whose pace says how long the rest takes.
-constexpr double least_share = 0.005, least_seconds = 0.3;
-
-/// The seconds left of the task under way; none: not known. What was expected gives way to the pace
-/// over the first twentieth, as a task may have something to prepare.
-std::optional<double> left_of_task(const TaskMeter::Reading& reading, const ExpectedTask& task) {
-    const double share = reading.share();
-    const bool has_pace = share >= least_share && reading.seconds >= least_seconds;
-    if (!has_pace && !task.seconds) return std::nullopt;
-    const double by_pace = has_pace ? reading.seconds * (1.0 - share) / share : 0.0;
-    if (!task.seconds) return by_pace;
-    const double as_expected = std::max(0.0, *task.seconds - reading.seconds);
-    const double weight = has_pace ? std::min(1.0, 20.0 * share) : 0.0;
-    return weight * by_pace + (1.0 - weight) * as_expected;
-}
-
-std::optional<double> left_of_round(const TaskMeter::Reading& reading,
-                                    const std::vector<ExpectedTask>& expected) {
-    const auto found = std::ranges::find(expected, reading.task, &ExpectedTask::task);
-    if (found == expected.end()) return std::nullopt;
-    const double texels = reading.texel_seconds;
-    ExpectedTask now = *found;
-    if (now.seconds && texels > 0.0) *now.seconds += now.times_texels * texels;
-    std::optional<double> left = left_of_task(reading, now);
-    if (!left) return left;
-    const double first = texels > 0.0 ? texels : reading.seconds + *left;
-    for (auto later = found + 1; later != expected.end(); ++later)
-        *left += later->seconds.value_or(0.0) + later->times_texels * first;
-    return left;
-}
-
 std::string duration_text(double seconds) {
     const auto whole = std::uint64_t(std::ceil(seconds));
     if (whole < 100) return fmt::format("{} s", whole);
@@ -71,20 +40,6 @@ ProgressMode progress_mode(std::string_view word, bool quiet) {
     if (mode != ProgressMode::automatic) return mode;
     if (quiet) return ProgressMode::none;
     return ::isatty(STDERR_FILENO) == 1 ? ProgressMode::line : ProgressMode::plain;
-}
-
-TimeLeft time_left(const TaskMeter::Reading& reading, const std::vector<ExpectedTask>& expected) {
-    std::optional<double> left = left_of_round(reading, expected);
-    const auto after = double(reading.rounds - reading.round - 1);
-    if (reading.round > 0) {
-        const double mean = reading.earlier_seconds / double(reading.round);
-        left = left.value_or(std::max(0.0, mean - reading.round_seconds)) + after * mean;
-    } else if (after > 0.0 && left) {
-        left = *left + after * (reading.round_seconds + *left);
-    }
-    if (!left) return {};
-    const double spent = reading.earlier_seconds + reading.round_seconds;
-    return {left, spent + *left > 0.0 ? spent / (spent + *left) : 0.0};
 }
 
 std::string progress_text(const ProgressState& state) {
@@ -129,50 +84,18 @@ void Progress::stop() {
     if (mode_ == ProgressMode::line) show_status("");
 }
 
-void Progress::begin_item(const std::string& name, std::size_t number, std::size_t of,
-                          std::string_view task) {
-    const std::lock_guard lock(mutex_);
-    item_ = name, number_ = number, of_ = of;
-    expected_.clear();
-    meter_.begin_round(0, 1);
-    meter_.begin(task);
-}
-
-void Progress::expect(std::vector<ExpectedTask> tasks) {
-    const std::lock_guard lock(mutex_);
-    expected_ = std::move(tasks);
-}
-
 void Progress::finish() {
     stop();
     if (mode_ != ProgressMode::json) return;
-    meter_.begin("done");
-    ProgressState last = state();
+    course_.meter().begin("done");
+    ProgressState last = course_.state();
     last.share = 1.0, last.seconds_left = 0.0;
     warn(progress_json(last));
 }
 
-/// The state now, which counts as told.
-ProgressState Progress::state() {
-    const std::lock_guard lock(mutex_);
-    const TaskMeter::Reading reading = meter_.read();
-    const TimeLeft left = time_left(reading, expected_);
-    ProgressState state{item_,         number_,       of_, std::string(reading.task),
-                        reading.round, reading.rounds};
-    state.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    share_ = std::max(share_, (double(number_) + left.share) / double(of_));
-    state.share = share_;
-    if (of_ == 1)
-        state.seconds_left = left.seconds;
-    else if (share_ > 0.0)
-        state.seconds_left = state.seconds * (1.0 - share_) / share_;
-    if (reading.counts_texels && reading.done > 0 && reading.seconds > 0.0)
-        state.texels_per_second = double(reading.done) / reading.seconds;
-    return state;
-}
-
 /// Tells the state as often as the mode says, until the program has something else to say.
 void Progress::watch(const std::stop_token& stop) {
+    using Clock = TaskMeter::Clock;
     const Clock::duration period = mode_ == ProgressMode::plain ? plain_period : line_period;
     Clock::time_point next = start_ + (mode_ == ProgressMode::line ? line_delay : period), told{};
     std::uint64_t task = 0;
@@ -181,14 +104,14 @@ void Progress::watch(const std::stop_token& stop) {
         changed_.wait_until(lock, stop, next, [] { return false; });
         lock.unlock();
         if (stop.stop_requested()) return;
-        const std::uint64_t number = meter_.read().number;
+        const std::uint64_t number = course_.meter().read().number;
         if (number == 0) continue;
-        if (mode_ == ProgressMode::line) show_status(progress_text(state()));
-        if (mode_ == ProgressMode::plain) warn("burl: " + progress_text(state()));
+        if (mode_ == ProgressMode::line) show_status(progress_text(course_.state()));
+        if (mode_ == ProgressMode::plain) warn("burl: " + progress_text(course_.state()));
         if (mode_ != ProgressMode::json) continue;
         if (number == task && Clock::now() - told < json_period) continue;
         task = number, told = Clock::now();
-        warn(progress_json(state()));
+        warn(progress_json(course_.state()));
     }
 }
 

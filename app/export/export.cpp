@@ -82,7 +82,7 @@ std::function<void(const ByteSink&)> levels_encoder(const Images& image,
     return [&image, &levels, coding, content](const ByteSink& sink) {
         std::vector<CodeRaster> rasters{eight_bits(image)};
         for (const Images& level : levels) rasters.push_back(eight_bits(level));
-        encode_ktx2(rasters, sink, coding.quality.value_or(ktx2_level), content);
+        encode_ktx2(rasters, sink, coding.quality.value_or(ktx2_level), content, coding.meter);
     };
 }
 

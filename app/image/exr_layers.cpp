@@ -117,53 +117,59 @@ Imf::Header header_of(std::span<const ExrLayer> layers, ExrDepth depth) {
     return header;
 }
 
-void encode_lines(Imf::OStream& stream, std::span<const ExrLayer> layers, ExrDepth depth) {
+void encode_lines(Imf::OStream& stream, std::span<const ExrLayer> layers, ExrDepth depth,
+                  TaskMeter* meter) {
     Imf::OutputFile file(stream, header_of(layers, depth));
     LayerRows rows(layers, 0, depth);
-    const std::size_t height = rows_of(layers[0].levels[0]).height;
-    for (std::size_t y = 0; y < height; y += exr_rows_at_once) {
-        const std::size_t end = std::min(y + exr_rows_at_once, height);
+    const FloatRows whole = rows_of(layers[0].levels[0]);
+    for (std::size_t y = 0; y < whole.height; y += exr_rows_at_once) {
+        const std::size_t end = std::min(y + exr_rows_at_once, whole.height);
         file.setFrameBuffer(rows.rows(y, end));
         file.writePixels(int(end - y));
+        if (meter) meter->add((end - y) * whole.width);
     }
 }
 
 /// Writes a level, one row of tiles at a time; tiles' frame buffers begin at the level's own rows.
 void write_level(Imf::TiledOutputFile& file, std::span<const ExrLayer> layers, int level,
-                 ExrDepth depth) {
+                 ExrDepth depth, TaskMeter* meter) {
     LayerRows rows(layers, std::size_t(level), depth);
-    const std::size_t height = rows_of(layers[0].levels[std::size_t(level)]).height;
+    const FloatRows whole = rows_of(layers[0].levels[std::size_t(level)]);
     for (int tile = 0; tile < file.numYTiles(level); ++tile) {
         const std::size_t begin = exr_tile_side * std::size_t(tile);
-        file.setFrameBuffer(rows.rows(begin, std::min(begin + exr_tile_side, height)));
+        const std::size_t end = std::min(begin + exr_tile_side, whole.height);
+        file.setFrameBuffer(rows.rows(begin, end));
         file.writeTiles(0, file.numXTiles(level) - 1, tile, tile, level);
+        if (meter) meter->add((end - begin) * whole.width);
     }
 }
 
-void encode_tiles(Imf::OStream& stream, std::span<const ExrLayer> layers, ExrDepth depth) {
+void encode_tiles(Imf::OStream& stream, std::span<const ExrLayer> layers, ExrDepth depth,
+                  TaskMeter* meter) {
     Imf::Header header = header_of(layers, depth);
     header.setTileDescription({exr_tile_side, exr_tile_side, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
     Imf::TiledOutputFile file(stream, header);
     if (std::size_t(file.numLevels()) != layers[0].levels.size())
         throw misuse(layers[0], "does not have all levels down to 1 x 1");
-    for (int l = 0; l < file.numLevels(); ++l) write_level(file, layers, l, depth);
+    for (int l = 0; l < file.numLevels(); ++l) write_level(file, layers, l, depth, meter);
 }
 
 }  // namespace
 
 AtomicFile write_exr_layers(const std::string& path, std::span<const ExrLayer> layers,
-                            ExrDepth depth) {
+                            ExrDepth depth, TaskMeter* meter) {
     std::set<std::string> names;
     for (const ExrLayer& layer : layers) {
         check_sizes(layer, layers[0]);
         check_names(layer, names);
     }
     const FloatRows whole = rows_of(layers[0].levels[0]);
-    return write_exr_stream(
-        path, "OpenEXR image", whole.width, whole.height, [&](Imf::OStream& stream) {
-            const bool tiled = layers[0].levels.size() > 1;
-            tiled ? encode_tiles(stream, layers, depth) : encode_lines(stream, layers, depth);
-        });
+    return write_exr_stream(path, "OpenEXR image", whole.width, whole.height,
+                            [&](Imf::OStream& stream) {
+                                const bool tiled = layers[0].levels.size() > 1;
+                                tiled ? encode_tiles(stream, layers, depth, meter)
+                                      : encode_lines(stream, layers, depth, meter);
+                            });
 }
 
 }  // namespace burl

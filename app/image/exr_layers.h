@@ -10,6 +10,7 @@
 #include "app/base/atomic_file.h"
 #include "app/image/exr_io.h"
 #include "atlas/base/image.h"
+#include "atlas/base/task_meter.h"
 
 namespace burl {
 
@@ -31,8 +32,8 @@ struct ExrLayer {
 /// MIPMAP_LEVELS rounded down where layers have several levels. All layers have the same sizes.
 /// Throws Error(io), and Error(runtime) where two channels have one name, a layer has not as many
 /// letters as components, sizes differ, or OpenEXR cannot encode it. The file is complete but not
-/// committed.
+/// committed. A meter gets the texels of all levels, once for all layers, as they are written.
 AtomicFile write_exr_layers(const std::string& path, std::span<const ExrLayer> layers,
-                            ExrDepth depth = ExrDepth::half);
+                            ExrDepth depth = ExrDepth::half, TaskMeter* meter = nullptr);
 
 }  // namespace burl

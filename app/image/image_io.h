@@ -56,6 +56,9 @@ inline constexpr PngContent png_content =
 /// The level of encode_png() that follows from the image's size.
 inline constexpr int png_level_by_size = -1;
 
+/// libdeflate's level for an image of so many bytes.
+int png_level(std::size_t bytes);
+
 /// The content of a PNG file, row 0 on top: RGB, RGBA or grey, of 8 or 16 bits, the codes as they
 /// are. Pixel is Rgb8, Rgb16, Rgba8, Rgba16, Grey8 or Grey16. `level` is libdeflate's, 0 (stored)
 /// to 12, or png_level_by_size. Colours are marked as sRGB, numbers are not. The image has at

@@ -88,17 +88,18 @@ void set_method(::jpeg_compress_struct& jpeg, const CodeRaster& raster, int qual
     jpeg.optimize_coding = raster.width * raster.height <= most_measured ? TRUE : FALSE;
 }
 
-bool write_jpeg(JpegWriter& writer, const CodeRaster& raster, int quality) {
+bool write_jpeg(JpegWriter& writer, const CodeRaster& raster, int quality, TaskMeter* meter) {
     if (setjmp(writer.errors.jump)) return false;
     ::jpeg_create_compress(&writer.jpeg);
     writer.jpeg.dest = &writer.target.manager;
     set_method(writer.jpeg, raster, quality);
     ::jpeg_start_compress(&writer.jpeg, TRUE);
-    const std::size_t stride = raster.width * raster.components;
+    const std::size_t stride = raster.stride();
     while (writer.jpeg.next_scanline < writer.jpeg.image_height) {
         // libjpeg only reads the row although it takes it as its own.
         auto* row = const_cast<::JSAMPROW>(raster.pixels + writer.jpeg.next_scanline * stride);
         ::jpeg_write_scanlines(&writer.jpeg, &row, 1);
+        if (meter) meter->add(stride);
     }
     ::jpeg_finish_compress(&writer.jpeg);
     return true;
@@ -106,9 +107,9 @@ bool write_jpeg(JpegWriter& writer, const CodeRaster& raster, int quality) {
 
 }  // namespace
 
-void encode_jpeg(const CodeRaster& raster, const ByteSink& sink, int quality) {
+void encode_jpeg(const CodeRaster& raster, const ByteSink& sink, int quality, TaskMeter* meter) {
     JpegWriter writer(sink);
-    if (write_jpeg(writer, raster, quality)) return;
+    if (write_jpeg(writer, raster, quality, meter)) return;
     if (writer.target.thrown) std::rethrow_exception(writer.target.thrown);
     throw Error(ExitCode::runtime,
                 fmt::format("the JPEG image of {} x {} could not be encoded: {}", raster.width,

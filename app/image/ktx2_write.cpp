@@ -135,7 +135,7 @@ KtxBytes head_of(const CodeRaster& first, const std::vector<KtxLevel>& levels,
 }  // namespace
 
 void encode_ktx2(std::span<const CodeRaster> levels, const ByteSink& sink, int level,
-                 PngContent content) {
+                 PngContent content, TaskMeter* meter) {
     const std::size_t components = levels[0].components == 1 ? 1 : 4;
     const KtxTexels texels{components, components > 1 && content == PngContent::color, level > 0};
     std::vector<KtxLevel> stored;
@@ -143,6 +143,7 @@ void encode_ktx2(std::span<const CodeRaster> levels, const ByteSink& sink, int l
         KtxBytes bytes = texels_of(one);
         const std::uint64_t size = bytes.size();
         stored.push_back({level > 0 ? compressed(bytes, level) : std::move(bytes), 0, size});
+        if (meter) meter->add(one.stride() * one.height);
     }
     const KtxBytes about = descriptor(texels), keys = key_values();
     std::uint64_t end = ktx_header + ktx_level_entry * levels.size() + about.size() + keys.size();

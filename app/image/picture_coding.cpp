@@ -48,12 +48,13 @@ void encode_codes(const CodeRaster& raster, const ByteSink& sink, const PictureC
                   PngContent content) {
     const bool data = content == PngContent::data;
     if (coding.format == TextureFormat::ktx2)
-        return encode_ktx2({&raster, 1}, sink, coding.quality.value_or(ktx2_level), content);
+        return encode_ktx2({&raster, 1}, sink, coding.quality.value_or(ktx2_level), content,
+                           coding.meter);
     if (coding.format == TextureFormat::webp)
-        return encode_webp(raster, sink, data ? 100 : coding.quality.value_or(100));
+        return encode_webp(raster, sink, data ? 100 : coding.quality.value_or(100), coding.meter);
     if (raster.components == 4) throw not_in(coding.format, "alpha");
     const int quality = coding.quality.value_or(jpeg_quality);
-    encode_jpeg(raster, sink, data ? std::max(quality, jpeg_data_quality) : quality);
+    encode_jpeg(raster, sink, data ? std::max(quality, jpeg_data_quality) : quality, coding.meter);
 }
 
 }  // namespace

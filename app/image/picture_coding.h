@@ -22,7 +22,7 @@ struct PictureCoding {
     /// The quality of JPEG, 1 to 100, and of WebP, 0 to 100, which keeps every code; zstd's level
     /// of KTX2, 0 (stored) to 19. None: jpeg_quality, every code, and ktx2_level.
     std::optional<int> quality{};
-    /// Gets the bytes of pixels as they are encoded, by PNG alone; null: nobody does.
+    /// Gets the bytes of pixels as they are encoded; null: nobody does.
     TaskMeter* meter = nullptr;
 };
 
@@ -58,10 +58,12 @@ template <class Pixel>
 void encode_picture(const Image<Pixel>& image, const ByteSink& sink, const PictureCoding& coding,
                     PngContent content = png_content<Pixel>);
 
-/// Rows of pixels of 8 bits, of 1, 3 or 4 components.
+/// Rows of pixels of 8 bits, of 1, 3 or 4 components. Encoders tell a meter their bytes.
 struct CodeRaster {
     const std::uint8_t* pixels;
     std::size_t width, height, components;
+
+    std::size_t stride() const { return width * components; }
 };
 
 /// The raster of an image of 8 bits, which it refers to.
@@ -74,11 +76,13 @@ CodeRaster codes_of(const Image<Pixel>& image) {
 /// Passes a JPEG file to the sink, grey or YCbCr (JFIF) without subsampling. Up to 2^26 pixels its
 /// Huffman codes are made for it; beyond, rows go out as they come, in little memory. Throws
 /// Error(runtime).
-void encode_jpeg(const CodeRaster& raster, const ByteSink& sink, int quality);
+void encode_jpeg(const CodeRaster& raster, const ByteSink& sink, int quality,
+                 TaskMeter* meter = nullptr);
 
 /// Passes a WebP file to the sink; quality 100 keeps every code, also of what is transparent. Needs
 /// memory for the picture and its file. Throws Error(runtime).
-void encode_webp(const CodeRaster& raster, const ByteSink& sink, int quality);
+void encode_webp(const CodeRaster& raster, const ByteSink& sink, int quality,
+                 TaskMeter* meter = nullptr);
 
 /// Passes a KTX2 file (Khronos, "KTX File Format Specification" 2.0) to the sink: level l has
 /// max(1, floor(n / 2^l)) pixels a side. One component becomes R8, three or four R8G8B8A8, since
@@ -86,6 +90,6 @@ void encode_webp(const CodeRaster& raster, const ByteSink& sink, int quality);
 /// zstd's; 0 stores the texels as they are. Needs memory for the compressed levels. Throws
 /// Error(runtime).
 void encode_ktx2(std::span<const CodeRaster> levels, const ByteSink& sink, int level,
-                 PngContent content);
+                 PngContent content, TaskMeter* meter = nullptr);
 
 }  // namespace burl

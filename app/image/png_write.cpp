@@ -195,8 +195,7 @@ void encode_raster(const ByteSink& sink, const PngRaster& raster, PngContent con
     if (raster.width > max_png_side || raster.height > max_png_side)
         throw Error(ExitCode::runtime, fmt::format("an image of {} x {} is too large for PNG",
                                                    raster.width, raster.height));
-    const bool is_small = raster.stride() * raster.height <= small_image;
-    const int by_size = is_small ? small_level : large_level;
+    const int by_size = png_level(raster.stride() * raster.height);
     write_header(sink, raster, content);
     write_bands(sink, raster, level == png_level_by_size ? by_size : level, meter);
     write_chunk(sink, "IEND", {});
@@ -233,6 +232,10 @@ bool is_grey(const IndexedImage& image) {
 }
 
 }  // namespace
+
+int png_level(std::size_t bytes) {
+    return bytes <= small_image ? small_level : large_level;
+}
 
 template <class Pixel>
 std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level) {

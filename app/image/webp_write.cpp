@@ -1,4 +1,5 @@
 // WebP stills through libwebp.
+#include <algorithm>
 #include <exception>
 
 #include <webp/encode.h>
@@ -13,6 +14,8 @@ namespace {
 struct WebpTarget {
     const ByteSink& sink;
     std::exception_ptr thrown{};
+    TaskMeter* meter = nullptr;
+    std::uint64_t bytes = 0, told = 0;  ///< of the picture's pixels; those that the meter has
 };
 
 int on_webp_bytes(const std::uint8_t* data, std::size_t size, const ::WebPPicture* picture) {
@@ -26,6 +29,19 @@ int on_webp_bytes(const std::uint8_t* data, std::size_t size, const ::WebPPictur
     return 1;
 }
 
+/// Tells the meter of the picture's share that is done.
+void tell_meter(WebpTarget& target, std::uint64_t percent) {
+    const std::uint64_t done = target.bytes * std::min<std::uint64_t>(percent, 100) / 100;
+    if (!target.meter || done <= target.told) return;
+    target.meter->add(done - target.told);
+    target.told = done;
+}
+
+int on_webp_progress(int percent, const ::WebPPicture* picture) {
+    tell_meter(*static_cast<WebpTarget*>(picture->custom_ptr), std::uint64_t(percent));
+    return 1;
+}
+
 /// The owner of libwebp's copy of a raster.
 struct WebpStill {
     ::WebPPicture raw;
@@ -35,6 +51,7 @@ struct WebpStill {
         raw.width = int(raster.width), raw.height = int(raster.height);
         raw.use_argb = lossless ? 1 : 0;
         raw.writer = on_webp_bytes, raw.custom_ptr = &target;
+        raw.progress_hook = on_webp_progress;
     }
     ~WebpStill() { ::WebPPictureFree(&raw); }
     WebpStill(const WebpStill&) = delete;
@@ -74,11 +91,12 @@ bool import_raster(WebpStill& still, const CodeRaster& raster) {
 
 }  // namespace
 
-void encode_webp(const CodeRaster& raster, const ByteSink& sink, int quality) {
+void encode_webp(const CodeRaster& raster, const ByteSink& sink, int quality, TaskMeter* meter) {
     const ::WebPConfig config = still_config(quality);
-    WebpTarget target{sink};
+    WebpTarget target{sink, {}, meter, raster.stride() * raster.height};
     WebpStill still(raster, target, config.lossless != 0);
-    if (import_raster(still, raster) && ::WebPEncode(&config, &still.raw)) return;
+    if (import_raster(still, raster) && ::WebPEncode(&config, &still.raw))
+        return tell_meter(target, 100);
     if (target.thrown) std::rethrow_exception(target.thrown);
     throw Error(ExitCode::runtime,
                 fmt::format("the WebP image of {} x {} could not be encoded: libwebp's error {}",

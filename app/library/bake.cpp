@@ -2,21 +2,25 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "app/bake/bake.h"
+#include "app/bake/expected_tasks.h"
 #include "app/bake/shared_pictures.h"
 #include "app/bake/tiles.h"
 #include "app/library/guard.h"
-#include "app/library/progress.h"
+#include "app/library/reported.h"
 #include "app/library/states.h"
 #include "app/pipeline/mask_picture.h"
+#include "app/pipeline/tasks.h"
 #include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
+#include "atlas/base/stop.h"
 #include "atlas/build/alpha_levels.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/build/capacity.h"
@@ -71,38 +75,60 @@ class Baking {
     Baking(Pipeline& pipeline, const BakeOptions& options, Baked::State& result)
         : pipeline_(pipeline), options_(options), result_(result) {}
 
-    void run(const std::stop_token& stop, const Reached& reached) {
+    void run(const std::stop_token& stop, Course* course) {
         pipeline_.context().stop = stop;
-        reached("laying out the atlas", 0.0);
+        if (course) {
+            pipeline_.context().meter = &course->meter();
+            course->expect(expected_tasks(plan(), pipeline_.recipe(), pipeline_));
+        }
+        go_on(tasks::layout);
         pipeline_.lay_out(stop);
-        reached("finding the solid's points", 0.2);
+        go_on(tasks::points);
         note_atlas();
         pipeline_.solid();
         const MaterialAsked asked = material_asked();
         const burl::Recipe& recipe = pipeline_.recipe();
         check_material(recipe, asked, fixed() ? "precision fixed" : "");
-        reached("synthesising the texture", 0.3);
+        go_on(tasks::texture);
         std::vector<Image<RgbF>> normal_levels;
         if (options_.depth == 32)
             bake_floats(asked);
         else
             normal_levels = bake_codes(asked);
         if (has_normals()) {
-            reached("deriving normals", 0.7);
+            go_on(tasks::normals);
             result_.options.normals = bake_normals(pipeline_, NormalSpace::tangent,
                                                    std::min(options_.depth, 16), options_.crease);
             add_levels(*result_.options.normals, normal_levels);
         }
         for (const std::string& mask : options_.masks) {
-            reached("measuring masks", 0.8);
+            go_on(tasks::masks);
             add_mask(mask);
         }
-        reached("finishing", 0.95);
+        check_stop(stop);
         finish(asked);
     }
 
   private:
     bool has_normals() const { return options_.normals && !pipeline_.recipe().bump.empty(); }
+    void go_on(const char* task) {
+        check_stop(pipeline_.context().stop);
+        pipeline_.context().begin(task);
+    }
+    /// The plan of a bake that does the same but writes nothing.
+    BakePlan plan() const {
+        BakePlan plan;
+        plan.kind = options_.depth == 32   ? ImageKind::rgb_float
+                    : options_.depth == 16 ? ImageKind::rgb16
+                                           : ImageKind::rgb8;
+        plan.depth = std::min(options_.depth, 16);
+        plan.levels.count = std::uint32_t(std::abs(options_.levels));
+        plan.normals = has_normals() ? NormalSpace::tangent : NormalSpace::none;
+        plan.packing = result_.packing;
+        plan.crease_degrees = options_.crease;
+        plan.threads = options_.threads;
+        return plan;
+    }
     bool fixed() const { return pipeline_.recipe().precision.kind == PrecisionKind::fixed; }
 
     /// The number of levels asked for, as far as the atlas has them.
@@ -247,13 +273,13 @@ class Baking {
 
 Baked bake(const Mesh& mesh, const Recipe& recipe, const BakeOptions& options) {
     auto result = std::make_shared<Baked::State>();
-    const auto work = [&](const std::stop_token& stop, const Reached& reached) {
+    const auto work = [&](const std::stop_token& stop, Course* course) {
         guarded([&] {
             Pipeline pipeline(mesh.state().mesh);
             pipeline.set_threads(options.threads);
             pipeline.set_recipe(asked_recipe(recipe, options));
             check_lattice(pipeline.recipe(), pipeline.mesh());
-            Baking(pipeline, options, *result).run(stop, reached);
+            Baking(pipeline, options, *result).run(stop, course);
         });
     };
     guarded([&] {

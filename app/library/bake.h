@@ -2,7 +2,6 @@
 // A bake: a mesh and a recipe become an atlas and the pictures of the material.
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -10,14 +9,10 @@
 #include <vector>
 
 #include "app/library/mesh.h"
+#include "app/library/progress.h"
 #include "app/library/recipe.h"
 
 namespace burl::library {
-
-/// Is called by the thread that called bake(), when a stage begins and every 50 ms, with the name
-/// of the stage that runs and the share of the bake that is done when it began, 0 to 1. Returning
-/// false stops the bake, and so does an exception, which bake() lets through.
-using Progress = std::function<bool(const std::string& stage, double share)>;
 
 /// The options of bake().
 struct BakeOptions {

@@ -17,6 +17,8 @@ struct EvaluateOptions {
     /// The mesh whose shape masks of the texture are of, each at the mesh's point nearest to the
     /// one asked for; null: none. Needed only by textures that read masks.
     const Mesh* mesh = nullptr;
+    /// Is told how many points are done, as the share; empty: nobody is.
+    Progress progress{};
 };
 
 /// The texture at n points.
@@ -33,8 +35,8 @@ struct Evaluated {
 /// Evaluates the recipe at points in solid space, before the recipe's scale: shape (n, 3). Filters,
 /// bumps' heights, paint and the atlas have no effect. Throws Error: usage where the number of
 /// coordinates is not a multiple of 3, for coordinates that are not finite and for an unknown
-/// channel; unsupported for points too far from the origin, and for a texture that reads a mask
-/// where there is no mesh.
+/// channel; stopped where the callback says so; unsupported for points too far from the origin, and
+/// for a texture that reads a mask where there is no mesh.
 BURL_API Evaluated evaluate(const Recipe& recipe, std::span<const double> points,
                             const EvaluateOptions& options = {});
 

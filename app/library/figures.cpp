@@ -12,11 +12,13 @@
 #include "app/library/evaluate.h"
 #include "app/library/guard.h"
 #include "app/library/metrics.h"
+#include "app/library/reported.h"
 #include "app/library/states.h"
 #include "app/measure/evaluate_points.h"
 #include "app/measure/measuring.h"
 #include "app/recipe/channel_texture.h"
 #include "app/recipe/edit/keyed_recipe.h"
+#include "atlas/base/stop.h"
 
 namespace burl::library {
 
@@ -25,6 +27,8 @@ namespace {
 /// Points that are evaluated together: few enough for a core's cache, enough to prepare the
 /// recipe for.
 constexpr std::size_t chunk = 4096;
+
+constexpr const char* evaluating = "evaluating the recipe";
 
 burl::Recipe evaluated_recipe(const Recipe& recipe, const std::string& channel) {
     burl::Recipe asked = recipe_at(recipe.state().recipe, 0.0);
@@ -71,8 +75,11 @@ std::vector<AtlasKind> kinds_of(const MetricsOptions& options, const burl::Recip
                                   fmt::join(enum_names<AtlasKind>, ", ")));
 }
 
-Json measured(const Mesh& mesh, const Recipe& recipe, const MetricsOptions& options) {
+Json measured(const Mesh& mesh, const Recipe& recipe, const MetricsOptions& options,
+              const std::stop_token& stop, Course* course) {
     MeasuringPlan plan;
+    plan.stop = stop;
+    plan.meter = course ? &course->meter() : nullptr;
     plan.recipe = recipe_at(recipe.state().recipe, 0.0);
     if (options.size != 0)
         plan.recipe.atlas.size = options.size,
@@ -87,40 +94,60 @@ Json measured(const Mesh& mesh, const Recipe& recipe, const MetricsOptions& opti
         throw burl::Error(ExitCode::usage, "the mesh has no texture coordinates to measure");
     Measuring measuring(std::move(plan), measured);
     std::vector<MeasuredAtlas> atlases;
-    if (options.own_uvs) atlases.push_back(measuring.uv_atlas());
-    for (const AtlasKind kind : kinds) atlases.push_back(measuring.our_atlas(kind));
+    const std::size_t count = kinds.size() + (options.own_uvs ? 1 : 0);
+    if (options.own_uvs) {
+        measuring.begin(0, count);
+        atlases.push_back(measuring.uv_atlas());
+    }
+    for (const AtlasKind kind : kinds) {
+        measuring.begin(atlases.size(), count);
+        atlases.push_back(measuring.our_atlas(kind));
+    }
     return measuring.json(atlases);
+}
+
+Evaluated evaluated(const Recipe& recipe, std::span<const double> points,
+                    const EvaluateOptions& options, const std::stop_token& stop, Course* course) {
+    if (points.size() % 3 != 0)
+        throw burl::Error(ExitCode::usage,
+                          fmt::format("points: {} numbers are not three per point", points.size()));
+    const burl::Recipe asked = evaluated_recipe(recipe, options.channel);
+    const burl::Mesh* const mesh = options.mesh ? &options.mesh->state().mesh : nullptr;
+    const std::size_t count = points.size() / 3;
+    Evaluated evaluated{std::vector<double>(count), std::vector<double>(3 * count),
+                        std::vector<double>(3 * count)};
+    if (course) course->expect({{evaluating}});
+    if (course) course->meter().begin(evaluating, count);
+    // A mesh's shape is prepared once for all points.
+    const std::size_t step = mesh ? std::max<std::size_t>(count, 1) : chunk;
+    tbb::parallel_for(std::size_t(0), (count + step - 1) / step, [&](std::size_t i) {
+        const std::size_t first = i * step, end = std::min(first + step, count);
+        check_stop(stop);
+        store(evaluate_points(asked, points_of(points, first, end), mesh, stop), first, evaluated);
+        if (course) course->meter().add(end - first);
+    });
+    return evaluated;
 }
 
 }  // namespace
 
 Evaluated evaluate(const Recipe& recipe, std::span<const double> points,
                    const EvaluateOptions& options) {
-    return guarded([&] {
-        if (points.size() % 3 != 0)
-            throw burl::Error(
-                ExitCode::usage,
-                fmt::format("points: {} numbers are not three per point", points.size()));
-        const burl::Recipe asked = evaluated_recipe(recipe, options.channel);
-        const burl::Mesh* const mesh = options.mesh ? &options.mesh->state().mesh : nullptr;
-        const std::size_t count = points.size() / 3;
-        Evaluated evaluated{std::vector<double>(count), std::vector<double>(3 * count),
-                            std::vector<double>(3 * count)};
-        // A mesh's shape is prepared once for all points.
-        const std::size_t step = mesh ? std::max<std::size_t>(count, 1) : chunk;
-        tbb::parallel_for(std::size_t(0), (count + step - 1) / step, [&](std::size_t i) {
-            const std::size_t first = i * step, end = std::min(first + step, count);
-            store(evaluate_points(asked, points_of(points, first, end), mesh), first, evaluated);
-        });
-        return evaluated;
-    });
+    const auto make = [&](const std::stop_token& stop, Course* course) {
+        return guarded([&] { return evaluated(recipe, points, options, stop, course); });
+    };
+    return made_reported(options.progress, make);
 }
 
 std::string metrics(const Mesh& mesh, const Recipe& recipe, const MetricsOptions& options) {
-    return guarded([&] {
-        return measured(mesh, recipe, options).dump(2, ' ', false, Json::error_handler_t::replace) +
-               "\n";
-    });
+    const auto make = [&](const std::stop_token& stop, Course* course) {
+        return guarded([&] {
+            return measured(mesh, recipe, options, stop, course)
+                       .dump(2, ' ', false, Json::error_handler_t::replace) +
+                   "\n";
+        });
+    };
+    return made_reported(options.progress, make);
 }
 
 double number_at(const std::string& json, const std::string& pointer) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/library/error.h"
+#include "app/library/progress.h"
 
 namespace burl::library {
 
@@ -22,6 +23,8 @@ struct MeshReading {
     double scale = 1.0;
     /// The N of a glTF's TEXCOORD_N that texture coordinates are read from, 0 to 15.
     std::uint32_t uv_set = 0;
+    /// Is told that the file is being read, and may stop that; empty: nobody is.
+    Progress progress{};
 };
 
 /// A triangle mesh, which does not change once it is made. Copies share the arrays. Any number of
@@ -31,7 +34,7 @@ class BURL_API Mesh {
     /// Reads an .obj, .ply, .stl, .off, .gltf or .glb file, or a sample that the library brings
     /// along, such as "sample:teapot". Throws Error: io when the file cannot be read, invalid_file
     /// when its content is wrong, unsupported for another format, usage for an unknown sample and
-    /// for values of `reading` out of range.
+    /// for values of `reading` out of range, stopped where the callback says so.
     static Mesh read(const std::string& path, const MeshReading& reading = {});
 
     /// Makes a mesh of arrays, which are copied. `positions` has shape (points, 3), in mesh units;

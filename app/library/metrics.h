@@ -19,12 +19,14 @@ struct MetricsOptions {
     bool own_uvs = false;
     /// Whether lookups are measured, too: errors per MIP level, seams, bleeding. Takes seconds.
     bool lookups = false;
+    /// Is told how far the measuring is; empty: nobody is.
+    Progress progress{};
 };
 
 /// The figures of atlases of the mesh, as the JSON text of `burl metrics --json`: "mesh" and
 /// "atlases", an array. The texture that is looked up is the recipe's. Throws Error: usage for
 /// options out of range and for texture coordinates that the mesh lacks, unsupported for textures
-/// that are not square, and as bake() does.
+/// that are not square, stopped where the callback says so, and as bake() does.
 BURL_API std::string metrics(const Mesh& mesh, const Recipe& recipe,
                              const MetricsOptions& options = {});
 

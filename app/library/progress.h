@@ -1,22 +1,26 @@
 #pragma once
-// A bake on a thread of its own, while the caller's thread tells how far it is.
+// How far long work is, told by callbacks.
 #include <functional>
-#include <stop_token>
-
-#include "app/library/bake.h"
+#include <optional>
+#include <string>
 
 namespace burl::library {
 
-/// Notes that a stage begins, and the share that is done; throws once the work is to stop.
-using Reached = std::function<void(const char* stage, double share)>;
-/// Work that notes its stages and ends soon after `stop` is requested.
-using StoppableWork = std::function<void(const std::stop_token& stop, const Reached& reached)>;
+/// How far work is.
+struct ProgressState {
+    /// The stage that runs, such as "synthesising the texture"; "done" at the end.
+    std::string stage{};
+    /// The share of the work that is done, 0 to 1, never less than before; an estimate, and 0 where
+    /// there is none.
+    double share = 0.0;
+    /// Texels a second of the stage; none where it counts no texels.
+    std::optional<double> texels_per_second{};
+    /// Seconds that the rest may take; none where it is not known.
+    std::optional<double> seconds_left{};
+};
 
-/// The exception of work that was stopped.
-Error stopped();
-
-/// Runs the work; with a callback on another thread, and lets what the work or the callback throws
-/// through. Throws Error(stopped) where the callback says so.
-void run_reported(const Progress& progress, const StoppableWork& work);
+/// Is called by the thread that called the function, when a stage begins and every 50 ms. Returning
+/// false stops the work, and so does an exception, which the function lets through.
+using Progress = std::function<bool(const ProgressState& state)>;
 
 }  // namespace burl::library

@@ -5,8 +5,10 @@
 
 #include "app/base/version.h"
 #include "app/library/guard.h"
+#include "app/library/reported.h"
 #include "app/library/states.h"
 #include "app/library/version.h"
+#include "app/pipeline/tasks.h"
 #include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/presets.h"
@@ -88,7 +90,7 @@ PolygonSoup soup_of(std::span<const double> positions, std::span<const std::uint
     return soup;
 }
 
-burl::Mesh read(const std::string& path, const MeshReading& reading) {
+burl::Mesh read(const std::string& path, const MeshReading& reading, const std::stop_token& stop) {
     check_range("weld", reading.weld, 0.0, 0.1);
     check_range("scale", reading.scale, 1e-9, 1e9);
     check_range("uv_set", reading.uv_set, 0, 15);
@@ -99,8 +101,8 @@ burl::Mesh read(const std::string& path, const MeshReading& reading) {
     frame.up = reading.up;
     frame.scale = reading.scale;
     const Mat4d turned = frame_transform(frame);
-    return framed(is_sample_mesh(path) ? sample_mesh(path, options) : read_mesh(path, options),
-                  turned);
+    return framed(
+        is_sample_mesh(path) ? sample_mesh(path, options) : read_mesh(path, options, stop), turned);
 }
 
 std::shared_ptr<const Recipe::State> state_of(const RecipeText& text) {
@@ -113,7 +115,13 @@ std::shared_ptr<const Recipe::State> state_of(const RecipeText& text) {
 Mesh::Mesh(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
 Mesh Mesh::read(const std::string& path, const MeshReading& reading) {
-    return guarded([&] { return Mesh(std::make_shared<State>(library::read(path, reading))); });
+    const auto make = [&](const std::stop_token& stop, Course* course) {
+        return guarded([&] {
+            if (course) course->meter().begin(tasks::read);
+            return Mesh(std::make_shared<State>(library::read(path, reading, stop)));
+        });
+    };
+    return made_reported(reading.progress, make);
 }
 
 Mesh::Mesh(std::span<const double> positions, std::span<const std::uint32_t> triangles,

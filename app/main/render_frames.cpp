@@ -309,10 +309,7 @@ void write_frames(const RenderCommand& command, const RenderedFrames& frames) {
     Progress progress(progress_mode(command.progress, false));
     const auto count = std::size_t(command.file.frames);
     for (std::size_t i = 0; i < count; ++i) {
-        if (TaskMeter* const meter = progress.meter()) {
-            meter->begin_round(i, count);
-            meter->begin("drawing");
-        }
+        progress.begin_round(i, count, "drawing");
         writer->add(draw_frame(command, frames, i, grid));
     }
     writer->commit();

@@ -32,7 +32,7 @@ void add_bake(CLI::App& program) {
                         "it out");
         Progress progress(progress_mode(command->progress, command->quiet));
         BakeCommand told = *command;
-        told.told = &progress;
+        told.told = progress.course();
         const BakeJob job(told, bake_settings(*verb));
         if (const auto known = job.known_report()) return job.print(*known);
         const std::shared_ptr<TextureSynthesizer> synthesizer = job.synthesizer();

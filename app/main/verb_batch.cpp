@@ -265,7 +265,7 @@ void run_all(const BatchCommand& command, std::vector<BatchBake>& bakes, BatchLi
     check_cache(command.run, groups);
     const int workers = workers_of(command, bakes);
     if (workers == 1)
-        for (BatchBake& bake : bakes) bake.job.tell(&progress);
+        for (BatchBake& bake : bakes) bake.job.tell(progress.course());
     BatchProgress told(progress, bakes.size(), workers == 1);
     if (workers > 1)
         groups = split_groups(

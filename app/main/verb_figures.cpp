@@ -6,10 +6,12 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
+#include "app/base/progress.h"
 #include "app/direct/figures.h"
 #include "app/export/command_files.h"
 #include "app/image/palette.h"
 #include "app/main/verbs.h"
+#include "app/options/command_options.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -20,6 +22,7 @@ struct FiguresCommand {
     std::string folder;
     std::vector<std::string> only;
     bool commands = false;
+    std::string progress = "auto";
 };
 
 std::vector<Figure> chosen_figures(const FiguresCommand& command) {
@@ -55,13 +58,16 @@ void run_figures(const FiguresCommand& command) {
         paths.push_back((std::filesystem::path(command.folder) / (figure.name + ".png")).string());
         CommandFiles().write(paths.back(), ".png");
     }
+    Progress progress(progress_mode(command.progress, false));
     for (std::size_t i = 0; i < chosen.size(); ++i) {
+        progress.begin_item(paths[i], i, chosen.size(), "drawing");
         const Image<Rgb8> picture = draw_figure(chosen[i]);
         const std::vector<std::uint8_t> bytes = encode_small_png(picture, figure_limit);
         write_file(paths[i], bytes);
         print_line(fmt::format("{}: {} x {} pixels, {} bytes", paths[i], picture.width(),
                                picture.height(), bytes.size()));
     }
+    progress.finish();
 }
 
 }  // namespace
@@ -76,6 +82,7 @@ void add_figures(CLI::App& program) {
     verb->add_flag("--commands", command->commands,
                    "Print the commands that draw the figures' parts instead")
         ->excludes("--output");
+    add_progress(*verb, command->progress);
     verb->callback([command] { run_figures(*command); });
 }
 

@@ -8,12 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
+#include "app/base/progress.h"
 #include "app/export/command_files.h"
 #include "app/main/verbs.h"
 #include "app/measure/measuring.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
 #include "app/options/metres.h"
+#include "app/pipeline/tasks.h"
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 
@@ -29,6 +31,7 @@ struct MetricsCommand {
     std::string image;  // prefix of pictures; empty: none
     std::optional<std::string> view;
     bool uv = false, levels = false, json = false;
+    std::string progress = "auto";
 };
 
 /// The way to fill gaps, by the name that --fill takes.
@@ -117,25 +120,45 @@ AtlasesAsked atlases_asked(const MetricsCommand& command, const Recipe& recipe, 
     return result;
 }
 
+std::vector<MeasuredAtlas> measure_all(Measuring& measuring, const AtlasesAsked& asked) {
+    const std::size_t count = asked.kinds.size() + (asked.uvs ? 1 : 0);
+    std::vector<MeasuredAtlas> atlases;
+    if (asked.uvs) {
+        measuring.begin(0, count);
+        atlases.push_back(measuring.uv_atlas());
+    }
+    for (const AtlasKind kind : asked.kinds) {
+        measuring.begin(atlases.size(), count);
+        atlases.push_back(measuring.our_atlas(kind));
+    }
+    return atlases;
+}
+
 void run_metrics(const MetricsCommand& command) {
     RecipeOptions options = command.recipe;
     if (options.given("atlas.kind") == "all")
         std::erase_if(options.parameters, [](const ParameterOption& option) {
             return option.parameter->path == "atlas.kind";
         });
+    Progress progress(progress_mode(command.progress, false));
+    progress.begin_item("", 0, 1, tasks::read);
     Recipe recipe = options.load();
     check_recipe(command, options, recipe);
     check_square(recipe.atlas);
     Mesh mesh = load_measured(command);
     set_metres({&recipe, 1}, options, command.meshes.frame, mesh);
     const AtlasesAsked asked = atlases_asked(command, recipe, mesh);
-    Measuring measuring(
-        {recipe, command.texture == "recipe", command.levels, gap_fill(command.fill), command.image,
-         command.view ? parse_view(*command.view) : View{}},
-        std::move(mesh));
-    std::vector<MeasuredAtlas> atlases;
-    if (asked.uvs) atlases.push_back(measuring.uv_atlas());
-    for (const AtlasKind kind : asked.kinds) atlases.push_back(measuring.our_atlas(kind));
+    Measuring measuring({recipe,
+                         command.texture == "recipe",
+                         command.levels,
+                         gap_fill(command.fill),
+                         command.image,
+                         command.view ? parse_view(*command.view) : View{},
+                         {},
+                         progress.meter()},
+                        std::move(mesh));
+    std::vector<MeasuredAtlas> atlases = measure_all(measuring, asked);
+    progress.finish();
     if (command.json) {
         write_json("-", measuring.json(atlases));
         return;
@@ -179,6 +202,7 @@ void add_metrics(CLI::App& program) {
     verb->add_option("--view", command->view,
                      "Where --image looks from: AZ,EL,DIST as in burl render (default 30,20,3.5)");
     verb->add_flag("--json", command->json, "Print JSON");
+    add_progress(*verb, command->progress);
     verb->get_option("--view")->needs("--image");
     verb->callback([command, verb, texture] {
         for (const char* option : {"--texture", "--fill"})

@@ -12,6 +12,7 @@
 #include "app/pipeline/mesh_shape.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/error.h"
+#include "atlas/base/stop.h"
 #include "procedural/color/table.h"
 #include "procedural/fixed/field.h"
 #include "procedural/graph/evaluator.h"
@@ -218,7 +219,7 @@ Evaluation evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scratc
 }
 
 std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& file,
-                                        const Mesh* mesh) {
+                                        const Mesh* mesh, const std::stop_token& stop) {
     if (const std::string mask = first_mask_node(recipe.texture, GraphOutput::color);
         !mesh && !mask.empty())
         throw Error(ExitCode::unsupported,
@@ -235,9 +236,11 @@ std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& f
     GraphEvaluator::Scratch scratch = exact.make_scratch();
     const Affine3 map = texture_from_solid(recipe);
     std::vector<PointResult> results;
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        check_stop(stop);
         results.push_back({evaluate_graph<double>(exact, scratch, map, points[i], masks, i),
                            evaluate_graph<float>(quick, scratch, map, points[i], masks, i)});
+    }
     return results;
 }
 
@@ -318,18 +321,19 @@ std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& fi
 }
 
 std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file,
-                                         const Mesh* mesh) {
+                                         const Mesh* mesh, const std::stop_token& stop) {
     if (file.dimensions != 3)
         throw Error(
             ExitCode::usage,
             fmt::format("a recipe needs points x,y,z; these have {} coordinates", file.dimensions));
     for (const auto& [x, y, z, w] : file.points) {
+        check_stop(stop);
         const Vec3d s = texture_from_solid(recipe)(Vec3d(x, y, z));
         check_lattice(recipe, Box3{s, s});
     }
     const Texture* texture = plain_texture(recipe.texture);
     std::vector<PointResult> results =
-        texture ? evaluate_model(recipe, *texture, file) : evaluate_graph(recipe, file, mesh);
+        texture ? evaluate_model(recipe, *texture, file) : evaluate_graph(recipe, file, mesh, stop);
     if (recipe.precision.kind == PrecisionKind::float64) return only_float64(std::move(results));
     return results;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,9 @@ std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& fi
 /// sum in float64, as in a bake, then rounded. The value of a graph that gives a colour is its
 /// luminance. Masks of the shape are those of `mesh` at its points nearest to the file's. Throws
 /// Error: usage for points that are not x,y,z, unsupported for a texture that reads a mask where
-/// `mesh` is null, and as check_lattice does.
+/// `mesh` is null, runtime soon after `stop` is requested, and as check_lattice does.
 std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file,
-                                         const Mesh* mesh = nullptr);
+                                         const Mesh* mesh = nullptr,
+                                         const std::stop_token& stop = {});
 
 }  // namespace burl

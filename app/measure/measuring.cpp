@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/image/image_io.h"
+#include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
+#include "atlas/base/stop.h"
 #include "atlas/measure/uv_atlas.h"
 
 namespace burl {
@@ -33,13 +35,29 @@ std::string measured_picture(const std::string& prefix, std::string_view atlas, 
     return fmt::format("{}-{}-{}.png", prefix, atlas, topic);
 }
 
+namespace {
+
+/// The colour at points, of which each call looks whether it is to stop: the loops that ask for it
+/// pass the exception on.
+SolidColor unless_stopped(SolidColor color, const std::stop_token& stop) {
+    if (!stop.stop_possible()) return color;
+    return [color = std::move(color), stop](const Vec3d& point) {
+        check_stop(stop);
+        return color(point);
+    };
+}
+
+}  // namespace
+
 Measuring::Measuring(MeasuringPlan plan, Mesh measured_mesh)
     : plan_(std::move(plan)),
       pipeline_(std::move(measured_mesh)),
       edges_(mesh_edges(mesh(), pipeline_.connectivity())),
       texture_(plan_.looks_up_recipe ? recipe_texture(plan_.recipe, mesh())
                                      : metric_marble_texture()) {
+    texture_.color = unless_stopped(texture_.color, plan_.stop);
     if (!plan_.lookups) return;
+    go_on("sampling the surface");
     TruthOptions options;
     options.size = plan_.recipe.atlas.size;
     options.detail = texture_.detail;
@@ -50,6 +68,10 @@ Measuring::Measuring(MeasuringPlan plan, Mesh measured_mesh)
 MeasuredAtlas Measuring::our_atlas(AtlasKind kind) {
     plan_.recipe.atlas.kind = kind;
     pipeline_.set_recipe(plan_.recipe);
+    pipeline_.context().stop = plan_.stop;
+    go_on(tasks::layout);
+    pipeline_.lay_out(plan_.stop);
+    check_stop(plan_.stop);
     const MeshAtlas& atlas = pipeline_.mesh_atlas();
     const auto points_of = [&](const Mesh& surface, const Atlas&, const auto& positions) {
         return rasterize(surface, atlas, positions);
@@ -75,6 +97,12 @@ Json Measuring::json(const std::vector<MeasuredAtlas>& atlases) {
     Json rows = Json::array();
     for (const MeasuredAtlas& atlas : atlases) rows.push_back(measured_json(atlas));
     return {{"mesh", mesh_json(mesh(), pipeline_.connectivity())}, {"atlases", rows}};
+}
+
+/// Tells what comes next. Throws Error(runtime) where the measuring is to stop.
+void Measuring::go_on(const char* task) const {
+    check_stop(plan_.stop);
+    if (plan_.meter) plan_.meter->begin(task);
 }
 
 /// Adds the errors of levels synthesised directly, which only a recipe's texture has.
@@ -105,13 +133,16 @@ MeasuredAtlas Measuring::measured(std::string name, const Mesh& surface,
                                   const std::vector<MeshEdge>& edges, const Atlas& atlas,
                                   const std::optional<SurfaceTruth>& truth,
                                   Rasterize&& points_of) const {
+    go_on("measuring the atlas");
     const SolidAtlas solid = points_of(surface, atlas, surface.positions);
     MeasuredAtlas result{std::move(name), atlas,        measure_atlas(surface, atlas, solid, edges),
                          texture_.name,   std::nullopt, {}};
     if (!truth && plan_.image.empty()) return result;
+    go_on("measuring lookups");
     const Mesh unit = normalised(surface);
     const TextureValues values =
         fill_texture(points_of(unit, atlas, unit.positions), texture_.color, plan_.fill);
+    check_stop(plan_.stop);
     if (truth) result.lookups = measure_lookups(unit, atlas, values, edges, *truth, in_8bit_srgb());
     if (!plan_.image.empty())
         draw({surface, atlas, solid, plan_.view}, measure_charts(surface, atlas, edges), values,

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "app/measure/metrics_pictures.h"
 #include "app/measure/metrics_report.h"
 #include "app/pipeline/pipeline.h"
+#include "atlas/base/task_meter.h"
 #include "atlas/measure/surface_points.h"
 
 namespace burl {
@@ -21,8 +23,10 @@ struct MeasuringPlan {
     bool looks_up_recipe = false;  ///< whether lookups are of its texture, else of metric-marble
     bool lookups = false;          ///< whether lookups are measured, which takes seconds
     GapFill fill = GapFill::extrapolate;
-    std::string image{};  ///< prefix of pictures that are written; empty: none
-    View view{};          ///< where pictures look from
+    std::string image{};         ///< prefix of pictures that are written; empty: none
+    View view{};                 ///< where pictures look from
+    std::stop_token stop{};      ///< a request that the measuring ends, by Error(runtime)
+    TaskMeter* meter = nullptr;  ///< is told what is done; null: nobody is
 };
 
 /// The kinds of atlas that are compared, all but uv; quad where it can have the size.
@@ -44,6 +48,10 @@ class Measuring {
     Measuring(MeasuringPlan plan, Mesh measured_mesh);
 
     const Mesh& mesh() const { return pipeline_.mesh(); }
+    /// Tells that the atlas `number` of `of` comes next.
+    void begin(std::size_t number, std::size_t of) const {
+        if (plan_.meter) plan_.meter->begin_round(number, of);
+    }
     /// The figures of our atlas of that kind. Throws Error as layouts do.
     MeasuredAtlas our_atlas(AtlasKind kind);
     /// The figures of the mesh's own texture coordinates, of which it must have some.
@@ -52,6 +60,7 @@ class Measuring {
     Json json(const std::vector<MeasuredAtlas>& atlases);
 
   private:
+    void go_on(const char* task) const;
     MeasuredAtlas with_direct(MeasuredAtlas result, const std::optional<SurfaceTruth>& truth);
     std::optional<SurfaceTruth> refined_truth(const MeshAtlas& atlas) const;
     template <class Rasterize>

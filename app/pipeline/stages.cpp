@@ -283,7 +283,7 @@ Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const Mes
     const MaskImages read = masks(solid, recipe.bump.input, GraphOutput::color, {});
     Image<Pixel> map = context.records.time(Stage::normals, [&](StageCost& cost) {
         if (!frames_ || frames_->key != key) frames_ = make_normal_frames(mesh, atlas, key);
-        context.begin(tasks::normals, std::uint64_t(solid.size) * solid.size);
+        context.begin(tasks::normals);
         Image<Pixel> image = synthesize_normals<Pixel>(
             solid,
             {atlas.mesh(mesh), atlas.atlas(), frames_->positions, frames_->normals,

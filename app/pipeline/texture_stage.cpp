@@ -30,7 +30,7 @@ void paint(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
 /// The economy of a synthesis of all texels of `solid`, of which the context's meter is told.
 Economy begun(const StageContext& context, StageCost& cost, const SolidAtlas& solid,
               const std::stop_token& stop) {
-    context.begin(tasks::texture, std::uint64_t(solid.size) * solid.size);
+    context.begin(tasks::texture, texels_of(solid));
     return {context.skips, &cost.work, stop, context.meter};
 }
 

@@ -1,5 +1,5 @@
 """Burl: mesh atlases filled with procedural solid textures. docs/guide/python.md is the guide."""
-from typing import NamedTuple as _NamedTuple
+from typing import NamedTuple as _NamedTuple, Optional as _Optional
 
 import numpy as _numpy
 
@@ -20,7 +20,16 @@ class Evaluated(_NamedTuple):
     colors: _numpy.ndarray
 
 
+class ProgressState(_NamedTuple):
+    """How far work is, as callbacks get it."""
+
+    stage: str
+    share: float
+    texels_per_second: _Optional[float]
+    seconds_left: _Optional[float]
+
+
 from ._burl import Baked, Mesh, Recipe, bake, evaluate, metrics, simd, version  # noqa: E402
 
 __version__ = version()
-__all__ = ["Baked", "Error", "Evaluated", "Mesh", "Recipe", "bake", "evaluate", "metrics", "simd", "version"]
+__all__ = ["Baked", "Error", "Evaluated", "Mesh", "ProgressState", "Recipe", "bake", "evaluate", "metrics", "simd", "version"]

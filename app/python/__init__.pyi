@@ -14,13 +14,28 @@ class Error(RuntimeError):
     """usage, io, invalid_file, runtime, unsupported or stopped."""
     def __init__(self, sentence: str, kind: str = ...) -> None: ...
 
+class ProgressState(NamedTuple):
+    """How far work is, as callbacks get it."""
+
+    stage: str
+    """The stage that runs; "done" at the end."""
+    share: float
+    """Of the work, 0 to 1, never less than before."""
+    texels_per_second: Optional[float]
+    """Of the stage; None where it counts no texels."""
+    seconds_left: Optional[float]
+    """An estimate; None where it is not known."""
+
+Progress = Optional[Callable[[ProgressState], Optional[bool]]]
+"""Is called when a stage begins and every 50 ms, and stops the work with False."""
+
 class Mesh:
     """A triangle mesh, which does not change."""
 
     def __init__(self, positions: npt.ArrayLike, triangles: npt.ArrayLike, uvs: Optional[npt.ArrayLike] = None, name: str = "mesh") -> None:
         """Shapes (points, 3) in mesh units, (triangles, 3) and (triangles, 3, 2), v = 0 at an image's row 0. Copied."""
     @staticmethod
-    def read(path: str, *, weld: float = 0.0, up: str = "y", scale: float = 1.0, uv_set: int = 0) -> Mesh:
+    def read(path: str, *, weld: float = 0.0, up: str = "y", scale: float = 1.0, uv_set: int = 0, progress: Progress = None) -> Mesh:
         """Reads .obj, .ply, .stl, .off, .gltf or .glb, or a sample, such as "sample:teapot"."""
     @property
     def name(self) -> str: ...
@@ -108,15 +123,15 @@ def bake(
     normals: bool = True,
     crease: float = 40.0,
     threads: int = 0,
-    progress: Optional[Callable[[str, float], Optional[bool]]] = None,
+    progress: Progress = None,
 ) -> Baked:
-    """Bakes a mesh. `progress` gets the stage and the share done, and stops the bake with False."""
+    """Bakes a mesh."""
 
-def evaluate(recipe: Union[Recipe, str], points: npt.ArrayLike, *, channel: str = "", mesh: Union[Mesh, str, None] = None) -> Evaluated:
+def evaluate(recipe: Union[Recipe, str], points: npt.ArrayLike, *, channel: str = "", mesh: Union[Mesh, str, None] = None, progress: Progress = None) -> Evaluated:
     """The texture, or a channel, at points of shape (n, 3) in solid space, in float64."""
 
 def metrics(
-    mesh: Union[Mesh, str], recipe: Union[Recipe, str], *, atlas: str = "", size: int = 0, own_uvs: bool = False, lookups: bool = False
+    mesh: Union[Mesh, str], recipe: Union[Recipe, str], *, atlas: str = "", size: int = 0, own_uvs: bool = False, lookups: bool = False, progress: Progress = None
 ) -> Dict[str, Any]:
     """The figures of `burl metrics --json`."""
 

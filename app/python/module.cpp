@@ -15,6 +15,7 @@
 #include "burl/evaluate.h"
 #include "burl/mesh.h"
 #include "burl/metrics.h"
+#include "burl/progress.h"
 #include "burl/recipe.h"
 #include "burl/version.h"
 
@@ -47,12 +48,27 @@ auto released(Work&& work) {
     return work();
 }
 
+/// A callback that tells Python's signals, such as Ctrl-C, and then calls `progress`, if any.
+Progress progress_of(const py::object& progress) {
+    return [&progress](const ProgressState& state) {
+        const py::gil_scoped_acquire acquire;
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        if (progress.is_none()) return true;
+        const py::object answer = progress(py::module_::import("burl").attr("ProgressState")(
+            state.stage, state.share, state.texels_per_second, state.seconds_left));
+        return !answer.is(py::bool_(false));
+    };
+}
+
+Mesh read_asked(const std::string& path, const MeshReading& reading) {
+    return released([&] { return Mesh::read(path, reading); });
+}
+
+/// A mesh, or that of a file's path, which Ctrl-C stops reading.
 Mesh mesh_of(const py::object& mesh) {
-    if (py::isinstance<py::str>(mesh)) {
-        const auto path = mesh.cast<std::string>();
-        return released([&] { return Mesh::read(path); });
-    }
-    return mesh.cast<Mesh>();
+    if (!py::isinstance<py::str>(mesh)) return mesh.cast<Mesh>();
+    const py::none none;
+    return read_asked(mesh.cast<std::string>(), {.progress = progress_of(none)});
 }
 
 Recipe recipe_of(const py::object& recipe) {
@@ -71,17 +87,6 @@ Mesh mesh_of_arrays(const py::object& positions, const py::object& triangles, co
     return released([&] { return Mesh(span_of(points), span_of(corners), own, name); });
 }
 
-/// A callback that tells Python's signals, such as Ctrl-C, and then calls `progress`, if any.
-Progress progress_of(const py::object& progress) {
-    return [&progress](const std::string& stage, double share) {
-        const py::gil_scoped_acquire acquire;
-        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-        if (progress.is_none()) return true;
-        const py::object answer = progress(stage, share);
-        return !answer.is(py::bool_(false));
-    };
-}
-
 Baked bake_asked(const py::object& mesh, const py::object& recipe, std::uint32_t size,
                  const std::string& atlas, int depth, int levels, const std::string& packing,
                  const std::vector<std::string>& masks, bool normals, double crease, int threads,
@@ -94,13 +99,15 @@ Baked bake_asked(const py::object& mesh, const py::object& recipe, std::uint32_t
 }
 
 py::object evaluate_asked(const py::object& recipe, const py::object& points,
-                          const std::string& channel, const py::object& mesh) {
+                          const std::string& channel, const py::object& mesh,
+                          const py::object& progress) {
     const Doubles places = doubles_of("points", points, {-1, 3});
     const Recipe asked = recipe_of(recipe);
     std::optional<Mesh> shape;
     if (!mesh.is_none()) shape = mesh_of(mesh);
     auto* const result = new Evaluated(released([&] {
-        return evaluate(asked, span_of(places), {channel, shape ? &*shape : nullptr});
+        return evaluate(asked, span_of(places),
+                        {channel, shape ? &*shape : nullptr, progress_of(progress)});
     }));
     const py::capsule owner(result, [](void* held) { delete static_cast<Evaluated*>(held); });
     const py::ssize_t count = places.shape(0);
@@ -113,11 +120,12 @@ py::object evaluate_asked(const py::object& recipe, const py::object& points,
 }
 
 py::object metrics_asked(const py::object& mesh, const py::object& recipe, const std::string& atlas,
-                         std::uint32_t size, bool own_uvs, bool lookups) {
+                         std::uint32_t size, bool own_uvs, bool lookups,
+                         const py::object& progress) {
     const Mesh measured = mesh_of(mesh);
     const Recipe asked = recipe_of(recipe);
     const std::string json = released([&] {
-        return metrics(measured, asked, {atlas, size, own_uvs, lookups});
+        return metrics(measured, asked, {atlas, size, own_uvs, lookups, progress_of(progress)});
     });
     return py::module_::import("json").attr("loads")(json);
 }
@@ -154,11 +162,11 @@ void add_mesh(py::module_& module) {
     mesh.def_static(
         "read",
         [](const std::string& path, double weld, const std::string& up, double scale,
-           std::uint32_t uv_set) {
-            return released([&] { return Mesh::read(path, {weld, up, scale, uv_set}); });
+           std::uint32_t uv_set, const py::object& progress) {
+            return read_asked(path, {weld, up, scale, uv_set, progress_of(progress)});
         },
         py::arg("path"), py::kw_only(), py::arg("weld") = 0.0, py::arg("up") = "y",
-        py::arg("scale") = 1.0, py::arg("uv_set") = 0);
+        py::arg("scale") = 1.0, py::arg("uv_set") = 0, py::arg("progress") = py::none());
     mesh.def_property_readonly("name", &Mesh::name);
     add_arrays(mesh);
     mesh.def("__repr__", [](const Mesh& self) {
@@ -248,10 +256,11 @@ PYBIND11_MODULE(_burl, module) {
                py::arg("masks") = std::vector<std::string>(), py::arg("normals") = true,
                py::arg("crease") = 40.0, py::arg("threads") = 0, py::arg("progress") = py::none());
     module.def("evaluate", &evaluate_asked, py::arg("recipe"), py::arg("points"), py::kw_only(),
-               py::arg("channel") = "", py::arg("mesh") = py::none());
+               py::arg("channel") = "", py::arg("mesh") = py::none(),
+               py::arg("progress") = py::none());
     module.def("metrics", &metrics_asked, py::arg("mesh"), py::arg("recipe"), py::kw_only(),
                py::arg("atlas") = "", py::arg("size") = 0, py::arg("own_uvs") = false,
-               py::arg("lookups") = false);
+               py::arg("lookups") = false, py::arg("progress") = py::none());
     module.def("version", &version);
     module.def("simd", &simd);
 }

@@ -1,7 +1,7 @@
 # The library's and the Python module's part of `cmake --install`: components library (libburl.so.0), dev (headers, CMake's
 # files, the example) and python.
 include(CMakePackageConfigHelpers)
-set(burl_cmake ${CMAKE_INSTALL_LIBDIR}/cmake/burl)
+set(burl_cmake ${BURL_LIBDIR}/cmake/burl)
 # Parts of the library by name; all are in the one file, since a program that evaluates or measures bakes, too, before long.
 foreach(part atlas procedural)
     add_library(burl_library_${part} INTERFACE)
@@ -10,7 +10,7 @@ foreach(part atlas procedural)
 endforeach()
 target_include_directories(burl_library INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS burl_library burl_library_atlas burl_library_procedural EXPORT burl
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT dev
+    LIBRARY DESTINATION ${BURL_LIBDIR} COMPONENT library NAMELINK_COMPONENT dev
     PUBLIC_HEADER DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/burl COMPONENT dev)
 install(EXPORT burl NAMESPACE burl:: FILE burlConfig.cmake DESTINATION ${burl_cmake} COMPONENT dev)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/burlConfigVersion.cmake COMPATIBILITY SameMajorVersion)
@@ -19,8 +19,9 @@ install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/example/ DESTINATION ${CMAKE_INSTALL
 
 if(TARGET burl_python)
     # Where Debian's Python looks; elsewhere PYTHONPATH names it.
-    set(python_dir ${CMAKE_INSTALL_LIBDIR}/python3/dist-packages/burl)
-    set_target_properties(burl_python PROPERTIES INSTALL_RPATH "$ORIGIN/../../..")
+    set(python_dir lib/python3/dist-packages/burl)
+    file(RELATIVE_PATH to_library /${python_dir} /${BURL_LIBDIR})
+    set_target_properties(burl_python PROPERTIES INSTALL_RPATH "$ORIGIN/${to_library}")
     install(TARGETS burl_python LIBRARY DESTINATION ${python_dir} COMPONENT python)
     install(DIRECTORY ${BURL_PYTHON_DIR}/burl/ DESTINATION ${python_dir} COMPONENT python
         FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN __pycache__ EXCLUDE)

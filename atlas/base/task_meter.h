@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <mutex>
 #include <string_view>
+#include <vector>
 
 namespace burl {
 
@@ -17,6 +18,12 @@ class TaskMeter {
   public:
     using Clock = std::chrono::steady_clock;
 
+    /// A task that counted what it did, and is over.
+    struct Past {
+        std::string_view task{};
+        double seconds = 0.0;
+    };
+
     struct Reading {
         std::string_view task{};  ///< empty before the first
         std::uint64_t total = 0;  ///< units of the task; 0: unknown
@@ -26,8 +33,8 @@ class TaskMeter {
         std::size_t round = 0, rounds = 1;  ///< of a sequence, such as frames
         double round_seconds = 0.0;         ///< since the round began
         double earlier_seconds = 0.0;       ///< of the rounds before
-        double texel_seconds = 0.0;  ///< of the round's first task that counted texels, once done
-        std::uint64_t number = 0;    ///< how many tasks have begun
+        std::vector<Past> past{};           ///< of the round
+        std::uint64_t number = 0;           ///< how many tasks have begun
 
         /// The share of the task that is done, 0 to 1; 0 where the whole is unknown.
         double share() const {
@@ -42,14 +49,13 @@ class TaskMeter {
         round_start_ = Clock::now();
         if (round == 0) first_start_ = round_start_;
         state_.round = round, state_.rounds = rounds;
-        state_.texel_seconds = 0.0, state_.counts_texels = false;
+        state_.past.clear(), state_.total = 0, state_.counts_texels = false;
     }
     /// Begins a task; `task` is text that stays.
     void begin(std::string_view task, std::uint64_t total = 0, bool counts_texels = false) {
         const std::lock_guard lock(mutex_);
         const Clock::time_point now = Clock::now();
-        if (state_.counts_texels && state_.texel_seconds == 0.0)
-            state_.texel_seconds = seconds(now - task_start_);
+        if (state_.total > 0) state_.past.push_back({state_.task, seconds(now - task_start_)});
         task_start_ = now;
         state_.task = task, state_.total = total, state_.counts_texels = counts_texels;
         ++state_.number;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstring>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,7 @@ struct FileBuffer {
     std::string path;  ///< path as given, for messages
     std::unique_ptr<char[]> bytes;
     std::size_t size = 0;
+    std::stop_token stop{};  ///< a request that parsers of text stop (TextScanner)
 
     std::string_view text() const { return {bytes.get(), size}; }
 };

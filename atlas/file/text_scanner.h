@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "atlas/base/stop.h"
 #include "atlas/file/file_buffer.h"
 
 namespace burl {
@@ -24,6 +25,7 @@ class TextScanner {
     explicit TextScanner(const FileBuffer& buffer, bool continuation = false, std::size_t begin = 0,
                          std::size_t line = 1)
         : path_(&buffer.path),
+          stop_(&buffer.stop),
           start_(buffer.bytes.get()),
           at_(buffer.bytes.get() + begin),
           end_(buffer.bytes.get() + buffer.size),
@@ -42,12 +44,13 @@ class TextScanner {
         return at_ != end_ && *at_ != '\n' && *at_ != '#';
     }
 
-    /// Moves to the start of the next line; false when the text is over.
+    /// Moves to the start of the next line; false when the text is over. Throws Error(runtime)
+    /// soon after the buffer's stop is requested.
     bool next_line() {
         while (at_ != end_ && *at_ != '\n') skip_inside_line();
         if (at_ == end_) return false;
         ++at_;
-        ++line_;
+        if ((++line_ & (lines_to_look - 1)) == 0) check_stop(*stop_);
         return true;
     }
 
@@ -161,7 +164,11 @@ class TextScanner {
     [[noreturn]] void fail_too_large(double value) const;
     std::string_view token_here() const;
 
+    /// The lines after which a request to stop is looked for.
+    static constexpr std::size_t lines_to_look = 4096;
+
     const std::string* path_;
+    const std::stop_token* stop_;
     const char* start_;
     const char* at_;
     const char* end_;

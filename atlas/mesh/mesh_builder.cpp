@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "atlas/base/error.h"
+#include "atlas/base/stop.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/mesh/polygon.h"
 #include "atlas/mesh/weld.h"
@@ -247,21 +248,27 @@ std::vector<std::uint32_t> corners_of_triangles(PolygonSoup& soup) {
     return triangulate(soup, notes).source_corners;
 }
 
-Mesh build_mesh(PolygonSoup&& soup, const std::string& path, const ReadOptions& options) {
+Mesh build_mesh(PolygonSoup&& soup, const std::string& path, const ReadOptions& options,
+                const std::stop_token& stop) {
     check_size(soup, path);
     Mesh mesh;
     mesh.name = std::filesystem::path(path).stem().string();
     mesh.notes = std::move(soup.notes);
     Triangulation cut = triangulate(soup, mesh.notes);
+    check_stop(stop);
     mesh.corners = gather_attributes(soup, cut);
     mesh.parts = to_parts(std::move(soup.parts), cut, mesh.name);
+    check_stop(stop);
     weld_into(mesh, soup.points, std::move(cut.point_of_corner), options.weld);
+    check_stop(stop);
     mesh.source_faces = std::move(cut.faces);
     if (!soup.source_faces.empty())
         for (std::uint32_t& face : mesh.source_faces) face = soup.source_faces[face];
     make_normals_unit(mesh);
     make_attributes_finite(mesh);
+    check_stop(stop);
     mesh.notes.degenerate_triangles = count_degenerate_triangles(mesh);
+    check_stop(stop);
     mesh.notes.duplicate_triangles = count_duplicate_triangles(mesh);
     return mesh;
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "atlas/base/error.h"
+#include "atlas/base/stop.h"
 #include "atlas/file/file_extension.h"
 #include "atlas/mesh/mesh_builder.h"
 #include "atlas/read/readers.h"
@@ -54,9 +55,14 @@ PolygonSoup parse_mesh(const std::string& path, const ReadOptions& options) {
     return parse_mesh(with_memory_error(path, [&] { return read_file(path); }), options);
 }
 
-Mesh read_mesh(const std::string& path, const ReadOptions& options) {
-    PolygonSoup soup = parse_mesh(path, options);
-    return with_memory_error(path, [&] { return build_mesh(std::move(soup), path, options); });
+Mesh read_mesh(const std::string& path, const ReadOptions& options, const std::stop_token& stop) {
+    parser_for(path);
+    FileBuffer file = with_memory_error(path, [&] { return read_file(path); });
+    file.stop = stop;
+    check_stop(stop);
+    PolygonSoup soup = parse_mesh(file, options);
+    return with_memory_error(path,
+                             [&] { return build_mesh(std::move(soup), path, options, stop); });
 }
 
 }  // namespace burl

@@ -89,7 +89,7 @@ struct Economy {
     std::stop_token stop{};
     TaskMeter* meter = nullptr;
 
-    /// Tells the meter of rows of so many texels, those that show nothing included.
+    /// Tells the meter of rows of so many texels, without those that show nothing.
     void count(std::size_t rows, std::size_t texels) const {
         if (meter) meter->add(std::uint64_t(rows) * texels);
     }

@@ -122,7 +122,7 @@ void CachedSynthesis::evaluate(const Job& job, Image<Pixel>& image) {
         for (std::size_t y = range.begin(); y != range.end(); ++y)
             evaluate_row(y, to, *batch, image);
         work.add(batch->streams.work);
-        job.economy.count(range.size(), solid_->size);
+        job.economy.count(1, texels_of(*solid_, range.begin(), range.end()));
     };
     for_row_ranges(solid_->size, texels_of_task, job.threads, fill_rows, job.economy.stop);
     const auto octaves = use.arrays.octaves;
@@ -163,7 +163,7 @@ void CachedSynthesis::evaluate_by(const Shader& shader, const Job& job,
         }
         work.add(batch->streams.work);
         work.add(batch->corners.batch->streams.work);
-        job.economy.count(range.size(), solid_->size);
+        job.economy.count(1, texels_of(*solid_, range.begin(), range.end()));
     };
     for_row_ranges(solid_->size, texels_of_task, job.threads, fill_rows, job.economy.stop);
     octaves_per_texel_ = sampler.noise_keys().size();
@@ -181,7 +181,7 @@ void CachedSynthesis::recolor_rows(const Job& job, const Pixel& background, Imag
             layout.for_each_batch(
                 y, [&](std::size_t at, std::size_t count) { color(at, count, *buffers, painter); });
         }
-        job.economy.count(range.size(), solid_->size);
+        job.economy.count(1, texels_of(*solid_, range.begin(), range.end()));
     };
     for_row_ranges(solid_->size, texels_of_task, job.threads, color_rows, job.economy.stop);
     if (!job.economy.work) return;

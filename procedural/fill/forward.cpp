@@ -41,7 +41,7 @@ Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3
             }
         work.octaves = work.texels * octaves.size();
         total.add(work);
-        economy.count(rows.size(), solid.size);
+        economy.count(1, work.texels);
     };
     for_row_ranges(own_rows.count(), texels_per_task, threads, fill_rows, economy.stop);
     return rows_of_image;

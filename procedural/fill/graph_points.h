@@ -17,6 +17,7 @@
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fill/mask_images.h"
+#include "procedural/fill/pieces.h"
 #include "procedural/graph/values.h"
 #include "procedural/kernels/quadric_kernel.h"
 
@@ -234,7 +235,7 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
              ++row) {
             const std::size_t y = rows.first + row;
             if (row % groups.rows == 0) queue->flush();
-            economy.count(1, solid.size);
+            economy.count(1, texels_of(solid.row(y)));
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
                 const WholeSpan whole = solid.whole(span);

@@ -12,6 +12,7 @@
 #include "procedural/batch/sample_pattern.h"
 #include "procedural/batch/texel_batch.h"
 #include "procedural/fill/mask_images.h"
+#include "procedural/fill/pieces.h"
 #include "procedural/graph/evaluator.h"
 
 namespace burl {
@@ -110,7 +111,7 @@ void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluat
                     queue.add(
                         {x, std::uint32_t(y), span.map, map(texel(x, std::int64_t(y))), steps});
             }
-            economy.count(1, solid.size);
+            economy.count(1, texels_of(solid.row(y)));
         }
         queue.flush();
     };

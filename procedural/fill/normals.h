@@ -31,7 +31,7 @@ struct ShadingFrames {
 /// 0 means all; `precision`, float32 or float64, is that of sums of noise. `masks` has an image for
 /// each mask that the height reads, else Error(unsupported) is thrown. Rgb8 and Rgb16 hold linear
 /// codes, RgbF components from -1 to 1. `economy` has a request to stop
-/// and a meter; nothing is left out.
+/// and a meter, whose task begins anew when the texels are counted; nothing is left out.
 template <class Pixel>
 Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& frames,
                                 const Bump& bump, const Affine3& texture_from_atlas,

@@ -5,6 +5,7 @@
 
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/fill/graph_points.h"
+#include "procedural/fill/pieces.h"
 #include "procedural/graph/evaluator.h"
 
 namespace burl {
@@ -231,7 +232,7 @@ void fill_footprints(const SolidAtlas& solid, const Affine3& map, const GraphEva
                          steps.v, 1.0},
                         steps);
             }
-            economy.count(1, solid.size);
+            economy.count(1, texels_of(solid.row(y)));
         }
         queue->flush();
     };

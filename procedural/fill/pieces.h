@@ -49,6 +49,12 @@ inline std::size_t texels_of(std::span<const Span> spans) {
     return count;
 }
 
+/// The number of texels in the spans of rows `first` to `end` - 1.
+inline std::size_t texels_of(const SolidAtlas& solid, std::size_t first, std::size_t end) {
+    const Span* const spans = solid.spans.data();
+    return texels_of(std::span(spans + solid.row_begin[first], spans + solid.row_begin[end]));
+}
+
 /// Fills the texels of a row that no span owns.
 template <class Pixel>
 void fill_gaps(std::span<const Span> spans, const Pixel& background, std::span<Pixel> row) {

@@ -66,7 +66,7 @@ struct RowLoop {
                 shader.shade(*batch);
                 store(*batch, shader, image);
             }
-            economy.count(rows.end - rows.first, solid.size);
+            economy.count(1, texels_of(solid, rows.first, rows.end));
         }
         work.add(batch->streams.work += batch->corners.batch->streams.work);
     }

@@ -100,7 +100,7 @@ Image<Pixel> fill(const Task& task, const Field& whole, const Pixel& background,
             }
         work.octaves = work.texels * task.octaves;
         total.add(work);
-        task.economy.count(rows.size(), solid.size);
+        task.economy.count(1, work.texels);
     };
     for_row_ranges(task.rows.count(), texels_per_task, task.threads, fill_rows, task.economy.stop);
     return rows_of_image;

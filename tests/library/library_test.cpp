@@ -280,10 +280,10 @@ TEST(Library, TellsHowFarItIs) {
     std::vector<std::string> stages;
     std::vector<double> shares;
     const auto here = std::this_thread::get_id();
-    options.progress = [&](const std::string& stage, double share) {
+    options.progress = [&](const burl::ProgressState& state) {
         EXPECT_EQ(std::this_thread::get_id(), here);
-        stages.push_back(stage);
-        shares.push_back(share);
+        stages.push_back(state.stage);
+        shares.push_back(state.share);
         return true;
     };
     burl::bake(burl::Mesh(tetrahedron, faces), burl::Recipe::load("marble"), options);
@@ -301,7 +301,7 @@ TEST(Library, StopsWhenItIsTold) {
             options.depth = depth;
             const auto start = std::chrono::steady_clock::now();
             auto asked = start;
-            options.progress = [&](const std::string&, double) {
+            options.progress = [&](const burl::ProgressState&) {
                 asked = std::chrono::steady_clock::now();
                 return asked - start < std::chrono::milliseconds(150);
             };
@@ -315,7 +315,7 @@ TEST(Library, StopsWhenItIsTold) {
 TEST(Library, LetsExceptionsOfCallbacksThrough) {
     burl::BakeOptions options;
     options.size = 64;
-    options.progress = [](const std::string&, double) -> bool { throw std::array<int, 2>{4, 2}; };
+    options.progress = [](const burl::ProgressState&) -> bool { throw std::array<int, 2>{4, 2}; };
     try {
         burl::bake(burl::Mesh(tetrahedron, faces), burl::Recipe::load("marble"), options);
         FAIL();

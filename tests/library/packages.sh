@@ -4,6 +4,7 @@
 # that cannot be done. Usage: packages.sh BUILD FOLDER
 set -euo pipefail
 build=$1 folder=$2
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 skip() { printf 'skipped: %s\n' "$*"; exit 77; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }
 [[ $(id -u) == 0 ]] || skip "chroot is root's"
@@ -50,10 +51,21 @@ for file in man/man1/burl.1.gz man/man1/burl-bake.1.gz bash-completion/completio
     [[ -e $root/usr/share/$file ]] || dpkg-deb -c "$packages/$program" | grep -q "/$file\$" || fail "there is no $file"
 done
 
+# ./demo uses the package. (Its pictures need a package that is only recommended.)
+mkdir -p "$root/home/user/checkout/.ci"
+cp demo packages.txt "$root/home/user/checkout"
+cp .ci/packages.sh "$root/home/user/checkout/.ci"
+inside chown -R user:user /home/user/checkout
+said=$(as_user bash /home/user/checkout/demo 2>&1 || true)
+[[ $said == *"Using the installed package: /usr/bin/burl (burl "* ]] || fail "./demo does not use the package: $said"
+[[ $(head -c 4 "$root/home/user/checkout/out/teapot-oak.glb") == glTF ]] || fail "./demo made no glTF: $said"
+
 # The library, for C++ and for Python.
 apt install -y $(cd "$packages" && ls | grep -v "^burl_" | sed 's|^|./tmp/|') || fail "apt install: $(tail -5 "$folder/apt.log")"
 inside ldconfig -p | grep -q "libburl\.so\.0 " || fail "ldconfig does not know libburl.so.0"
-[[ -e $root/usr/include/burl/bake.h && -e $root/usr/lib/cmake/burl/burlConfig.cmake ]] || fail "libburl-dev lacks its files"
+libdir=$root/usr/lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)
+[[ -e $libdir/libburl.so.0 ]] || fail "libburl0 is not in $libdir"
+[[ -e $root/usr/include/burl/bake.h && -e $libdir/cmake/burl/burlConfig.cmake ]] || fail "libburl-dev lacks its files"
 if compgen -G "$packages/python3-burl_*.deb" >/dev/null; then
     as_user python3 -c "
 import burl

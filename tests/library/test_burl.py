@@ -165,14 +165,17 @@ def test_metrics_are_the_programs(torus):
 
 def test_progress_is_told_and_may_stop(torus):
     told = []
-    burl.bake(torus, "marble", size=64, progress=lambda stage, share: told.append((stage, share)))
-    assert told[-1] == ("done", 1.0)
-    assert [share for _, share in told] == sorted(share for _, share in told)
+    burl.bake(torus, "oak", size=2048, threads=1, progress=told.append)
+    assert told[-1] == ("done", 1.0, None, 0.0)
+    assert [state.share for state in told] == sorted(state.share for state in told)
+    stages = list(dict.fromkeys(state.stage for state in told))
+    assert stages.index("synthesising the texture") < stages.index("deriving normals")
+    assert any(state.texels_per_second and state.seconds_left for state in told)
     with pytest.raises(burl.Error) as caught:
-        burl.bake(torus, "marble", size=64, progress=lambda stage, share: False)
+        burl.bake(torus, "marble", size=64, progress=lambda state: False)
     assert caught.value.kind == "stopped"
     with pytest.raises(ZeroDivisionError):
-        burl.bake(torus, "marble", size=64, progress=lambda stage, share: 1 / 0)
+        burl.bake(torus, "marble", size=64, progress=lambda state: 1 / 0)
 
 
 def test_other_threads_run_during_a_bake(torus):
@@ -207,6 +210,55 @@ def test_ctrl_c_stops_a_bake(recipe, after):
     took = time.monotonic() - start
     assert process.returncode in (-signal.SIGINT, 130) and "KeyboardInterrupt" in error
     assert took < 3, took
+
+
+WORK = {
+    "read": "burl.Mesh.read(sys.argv[1])",
+    "evaluate": "burl.evaluate('oak', np.random.default_rng(1).random((4_000_000, 3)))",
+    "evaluate a mesh's": "burl.evaluate('oak', np.random.default_rng(1).random((400_000, 3)), mesh='sample:torus')",
+    "measure": "burl.metrics('sample:bust', 'oak', atlas='all', size=2048, lookups=True)",
+}
+
+
+@pytest.fixture(scope="module")
+def large_mesh(tmp_path_factory):
+    """A file that takes seconds to read."""
+    path = tmp_path_factory.mktemp("large") / "large.obj"
+    side = 1500
+    with open(path, "w") as file:
+        for i in range(side):
+            file.write("".join(f"v {i} {j} {i * j % 7}\n" for j in range(1, side + 1)))
+        for i in range(side - 1):
+            at = i * side
+            file.write("".join(f"f {at + j} {at + j + 1} {at + side + j}\n" for j in range(1, side)))
+    return path
+
+
+@pytest.mark.parametrize("work", WORK)
+@pytest.mark.parametrize("after", [0.1, 0.6])
+def test_ctrl_c_stops_all_long_work(work, after, large_mesh):
+    code = f"import sys, burl, numpy as np; print('ready', flush=True); {WORK[work]}; print('whole')"
+    process = subprocess.Popen([sys.executable, "-c", code, str(large_mesh)], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stdout.readline() == b"ready\n"
+    time.sleep(after)
+    start = time.monotonic()
+    process.send_signal(signal.SIGINT)
+    out, error = process.communicate(timeout=60)
+    took = time.monotonic() - start
+    assert b"KeyboardInterrupt" in error and out == b"", (out, error)
+    assert took < 3, took  # a loaded machine; docs/lab/library.md has what an idle one takes
+
+
+def test_progress_of_other_work_is_told(torus):
+    told = []
+    burl.evaluate("oak", np.zeros((100_000, 3)), progress=told.append)
+    assert told[-1].stage == "done" and {state.stage for state in told} >= {"evaluating the recipe"}
+    told.clear()
+    burl.metrics("sample:bust", "marble", atlas="patch", size=256, progress=told.append)
+    assert {state.stage for state in told} >= {"laying out the atlas", "measuring the atlas", "done"}
+    with pytest.raises(burl.Error) as caught:
+        burl.metrics(torus, "marble", atlas="quad", size=256, lookups=True, progress=lambda state: False)
+    assert caught.value.kind == "stopped"
 
 
 def test_recipes_change():

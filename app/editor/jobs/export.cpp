@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <filesystem>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "app/export/emit.h"
 #include "app/export/formats.h"
 #include "app/options/animation.h"
+#include "app/pipeline/tasks.h"
 #include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
@@ -101,10 +104,11 @@ struct PlannedExport {
 };
 
 void bake_plan(const ExportRequest& request, PlannedExport planned, const std::stop_token& stop,
-               const TellProgress& tell) {
+               Course* told) {
     BakePlan& plan = planned.plan;
     plan.stop = stop;
-    if (tell) plan.reached = [&](const char* next, double share) { tell({next, share}); };
+    plan.told = told;
+    if (told) told->begin_item("", 0, 1, tasks::read);
     Pipeline pipeline(load_mesh(request.mesh));
     check_lattice(plan.recipe(0), pipeline.mesh());
     std::optional<MeshPose> pose;
@@ -150,15 +154,13 @@ std::vector<std::string> export_files(const ExportRequest& request) {
     }
 }
 
-void bake_file(const ExportRequest& request, const std::stop_token& stop,
-               const TellProgress& tell) {
+void bake_file(const ExportRequest& request, const std::stop_token& stop, Course* told) {
     check_outputs(request);
     if (is_shader_file(request.out)) return write_shader(request);
-    bake_plan(request, {plan_of(request)}, stop, tell);
+    bake_plan(request, {plan_of(request)}, stop, told);
 }
 
-void bake_frames(const ExportRequest& request, const std::stop_token& stop,
-                 const TellProgress& tell) {
+void bake_frames(const ExportRequest& request, const std::stop_token& stop, Course* told) {
     if (holds_mesh(request.out) || is_shader_file(request.out))
         throw Error(ExitCode::usage,
                     fmt::format("{}: frames are textures alone, .png or .exr", request.out));
@@ -174,7 +176,7 @@ void bake_frames(const ExportRequest& request, const std::stop_token& stop,
     plan.paths.clear();
     for (int i = 0; i < frames; ++i)
         plan.paths.push_back(frame_path(request.out, std::size_t(i) + 1));
-    bake_plan(request, {std::move(plan), cache}, stop, tell);
+    bake_plan(request, {std::move(plan), cache}, stop, told);
 }
 
 void EditExport::start(ExportRequest request) {
@@ -182,24 +184,18 @@ void EditExport::start(ExportRequest request) {
     {
         const std::scoped_lock lock(mutex_);
         busy_ = true;
-        progress_ = {"reading the mesh", 0.0};
+        course_ = std::make_shared<Course>();
     }
     thread_ = std::jthread(
         [this, what = std::move(request)](const std::stop_token& stop) { run(what, stop); });
 }
 
 void EditExport::run(const ExportRequest& request, const std::stop_token& stop) {
-    const TellProgress tell = [this](const ExportProgress& progress) {
-        {
-            const std::scoped_lock lock(mutex_);
-            progress_ = progress;
-        }
-        wake_();
-    };
     Outcome outcome{false, fmt::format("exported {}", request.out)};
     try {
+        const std::jthread waker([this](const std::stop_token& done) { wake_until(done); });
         const bool moves = !request.recipe.animation.tracks.empty();
-        (moves ? bake_frames : bake_file)(request, stop, tell);
+        (moves ? bake_frames : bake_file)(request, stop, course_.get());
     } catch (const std::exception& problem) {
         outcome = {true, problem.what()};
     }
@@ -211,14 +207,26 @@ void EditExport::run(const ExportRequest& request, const std::stop_token& stop) 
     wake_();
 }
 
+/// Wakes the window ten times a second, which shows how far the export is.
+void EditExport::wake_until(const std::stop_token& done) {
+    constexpr std::chrono::milliseconds period{100};
+    std::mutex mutex;
+    std::condition_variable_any changed;
+    std::unique_lock lock(mutex);
+    while (!done.stop_requested()) {
+        changed.wait_for(lock, done, period, [] { return false; });
+        wake_();
+    }
+}
+
 bool EditExport::busy() const {
     const std::scoped_lock lock(mutex_);
     return busy_;
 }
 
-ExportProgress EditExport::progress() const {
+ProgressState EditExport::progress() const {
     const std::scoped_lock lock(mutex_);
-    return progress_;
+    return course_ ? course_->state() : ProgressState();
 }
 
 void EditExport::wait() {

@@ -2,6 +2,7 @@
 // Exports in the background: the files that `burl bake` would write for the recipe, made by a
 // pipeline of their own while the editor's goes on.
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -9,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/base/course.h"
 #include "app/recipe/recipe.h"
 
 namespace burl {
@@ -26,13 +28,6 @@ struct ExportRequest {
     std::vector<std::string> masks{};  ///< masks written besides (app/pipeline/mask_picture.h)
 };
 
-/// How far an export has come.
-struct ExportProgress {
-    std::string next{};  ///< what it is doing
-    double share = 0.0;  ///< of the whole, 0 to 1
-};
-using TellProgress = std::function<void(const ExportProgress&)>;
-
 /// Whether `path` names a fragment shader: the extension is .frag or .glsl.
 bool is_shader_file(const std::string& path);
 
@@ -45,9 +40,10 @@ std::vector<std::string> export_files(const ExportRequest& request);
 
 /// Reads the mesh, bakes the texture and writes all files or none, as `burl bake` does with
 /// bake_options(). Throws Error, and does so before baking where an input would be overwritten.
-/// Throws Error(runtime) where `stop` is requested; then nothing was written.
+/// Throws Error(runtime) where `stop` is requested; then nothing was written. `told` is told how
+/// far it is; null: nobody is.
 void bake_file(const ExportRequest& request, const std::stop_token& stop = {},
-               const TellProgress& tell = {});
+               Course* told = nullptr);
 
 /// Bakes and writes the textures of all frames of a recipe with animation tracks
 /// (app/recipe/edit/keyed_recipe.h) at the recipe's own frame rate: the files of `burl bake
@@ -55,12 +51,12 @@ void bake_file(const ExportRequest& request, const std::stop_token& stop = {},
 /// be overwritten.
 /// Throws Error(runtime) where `stop` is requested; frames that were done stay.
 void bake_frames(const ExportRequest& request, const std::stop_token& stop = {},
-                 const TellProgress& tell = {});
+                 Course* told = nullptr);
 
 /// Runs one export at a time on a thread of its own. All functions may be called by one thread.
 class EditExport {
   public:
-    /// `wake` is called by the export's thread when an export has come further or has ended.
+    /// `wake` is called by a thread ten times a second during an export, and when it has ended.
     explicit EditExport(std::function<void()> wake) : wake_(std::move(wake)) {}
 
     /// Waits for the running export, then starts this one.
@@ -68,7 +64,7 @@ class EditExport {
     /// Whether an export is running.
     bool busy() const;
     /// How far the running export has come.
-    ExportProgress progress() const;
+    ProgressState progress() const;
     /// Requests that the running export stops; its outcome says so.
     void stop() { thread_.request_stop(); }
     /// Blocks until no export is running.
@@ -83,12 +79,13 @@ class EditExport {
 
   private:
     void run(const ExportRequest& request, const std::stop_token& stop);
+    void wake_until(const std::stop_token& done);
 
     std::function<void()> wake_;
-    // `mutex_` guards busy_, progress_ and outcome_.
+    // `mutex_` guards busy_, course_ and outcome_.
     mutable std::mutex mutex_;
     bool busy_ = false;
-    ExportProgress progress_;
+    std::shared_ptr<Course> course_;  ///< of the last export
     std::optional<Outcome> outcome_;
     std::jthread thread_;
 };

@@ -48,7 +48,7 @@ class FileCommands {
     bool closing() const { return closing_; }
 
     bool exporting() const { return export_.busy(); }
-    ExportProgress progress() const { return export_.progress(); }
+    ProgressState progress() const { return export_.progress(); }
     void stop_export() { export_.stop(); }
     /// Logs the result of an export that has ended.
     void take_outcome();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/base/progress.h"
 #include "app/editor/panels/files.h"
 #include "app/editor/panels/paint.h"
 #include "app/editor/widgets/keys.h"
@@ -260,8 +261,8 @@ void EditorProgram::notices(float bottom) {
         notices.push_back(
             {"Laying out patches; until they are done, pairs of triangles are shown"});
     if (commands_.exporting()) {
-        const ExportProgress progress = commands_.progress();
-        notices.push_back({fmt::format("Exporting: {}", progress.next),
+        const ProgressState progress = commands_.progress();
+        notices.push_back({fmt::format("Exporting: {}", progress_text(progress)),
                            {"Stop the export"},
                            false,
                            progress.share});

@@ -13,8 +13,8 @@ int main(int count, char** words) {
     try {
         burl::BakeOptions options;
         options.size = 256;
-        options.progress = [](const std::string& stage, double share) {
-            std::printf("%3.0f %% %s\n", 100.0 * share, stage.c_str());
+        options.progress = [](const burl::ProgressState& state) {
+            std::printf("%3.0f %% %s\n", 100.0 * state.share, state.stage.c_str());
             return true;  // false would stop the bake
         };
         const burl::Baked baked =

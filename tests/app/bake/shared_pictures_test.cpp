@@ -1,9 +1,11 @@
 // Recipes that share an atlas, against bakes of each recipe over the whole of the same atlas.
 #include "app/bake/shared_pictures.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <map>
+#include <stop_token>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -85,6 +87,29 @@ class SharedHalves {
     const std::vector<Recipe> recipes;
     Pipeline shared{torus_mesh()};
 };
+
+class FailedShare : public SharedHalves, public testing::Test {
+  protected:
+    FailedShare() : SharedHalves(AtlasKind::quad) {}
+
+    bool shows_all(const Image<Rgb8>& whole) {
+        return std::ranges::equal(shared.synthesize<Rgb8>().pixels(), whole.pixels());
+    }
+};
+
+TEST_F(FailedShare, LeavesNoLabelToTheNextBakeOfItsBatch) {
+    const Image<Rgb8> whole = shared.synthesize<Rgb8>();
+    std::stop_source stop;
+    stop.request_stop();
+    shared.context().stop = stop.get_token();
+    const auto wanted = shared_material_pictures(recipes, Packing::gltf, false);
+    EXPECT_THROW(shared_pictures<Rgba8>(shared, recipes, wanted, Packing::gltf, false), Error);
+    shared.context().stop = {};
+    shared.set_recipe(recipes[0]);
+    EXPECT_FALSE(shows_all(whole)) << "the failed bake shows its first recipe's texels";
+    shared.set_labels(halves_of(shared.mesh()));  // the same as before, as in a batch
+    EXPECT_TRUE(shows_all(whole));
+}
 
 class SharedPictures : public SharedHalves, public testing::TestWithParam<AtlasKind> {
   protected:
