@@ -101,23 +101,6 @@ ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const Mes
     return options;
 }
 
-/// The bytes of all pictures of a scene, which encoders count.
-std::uint64_t bytes_to_encode(const BakedImage& color, const ExportOptions& options) {
-    std::uint64_t bytes = 0;
-    const auto add = [&](const auto& images) {
-        std::visit([&](const auto& image) { bytes += bytes_of(image); }, images);
-    };
-    add(color);
-    std::ranges::for_each(options.levels, add);
-    if (options.normals) add(options.normals->image);
-    if (options.normals) std::ranges::for_each(options.normals->levels, add);
-    for (const ExportPicture& picture : options.pictures) {
-        add(picture.image);
-        std::ranges::for_each(picture.levels, add);
-    }
-    return bytes;
-}
-
 std::optional<NormalMap> bake_normals(Pipeline& pipeline, const BakePlan& plan,
                                       const BakedMaterial& material) {
     auto map = bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees, plan.sharing);
@@ -206,8 +189,6 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     cut_to_extent(pipeline.atlas().options, result.texture.image, options);
     options.coding = plan.coding;
     options.coding.meter = plan.meter();
-    if (plan.told)
-        plan.told->meter().begin(tasks::pictures, bytes_to_encode(result.texture.image, options));
     options.exr_depth = plan.exr_depth;
     const BakedAtlas& baked = result.texture;
     const Atlas& atlas = baked.packed ? *baked.packed : pipeline.atlas();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 #include "app/bake/trial.h"
 #include "app/pipeline/material.h"
@@ -24,14 +25,14 @@ constexpr double patch_layout_seconds = 14e-6, layout_seconds = 1e-6;
 TrialCosts usual_costs(const BakePlan& plan, const Recipe& recipe) {
     const bool has_normals = plan.normals != NormalSpace::none;
     const MaterialAsked asked = plan.material();
-    const double pictures = 1.0 + double(picture_names(std::span(&recipe, 1), asked).size()) +
-                            (has_normals ? 1.0 : 0.0);
-    TrialCosts costs{60e-9, 0.0, 120e-9, 60e-9 * pictures};
+    const auto pictures =
+        double(1 + picture_names(std::span(&recipe, 1), asked).size() + (has_normals ? 1 : 0));
+    TrialCosts costs{60e-9, 0.0, 120e-9, std::vector(std::size_t(pictures), 60e-9)};
     if (asked.levels > 0) costs.levels = 60e-9 * pictures;
     if (has_normals) costs.normal_maps = asked.rough_levels() ? 2 : 1;
     const double threads = threads_at_work(plan);
-    for (double* cost : {&costs.texture, &costs.levels, &costs.normals, &costs.pictures})
-        *cost /= threads;
+    for (double* cost : {&costs.texture, &costs.levels, &costs.normals}) *cost /= threads;
+    for (double& picture : costs.pictures) picture /= threads;
     return costs;
 }
 
@@ -56,14 +57,18 @@ std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& rec
     const double share = texels / double(recipes.size()), shown = usual_coverage * share;
     const AtlasKind kind = recipe.atlas.kind;
     std::vector<ExpectedTask> textures, normals;
-    double levels = 0.0, pictures = 0.0;
+    std::vector<double> pictures;
+    double levels = 0.0;
     std::size_t normal_maps = 0;
     for (const Recipe& one : recipes) {
         const TrialCosts costs = costs_of(plan, one, pipeline);
         const bool on_host = !pipeline.context().synthesizer;
         textures.push_back({tasks::texture, on_host ? shown * costs.texture : 0.0});
         if (costs.normal_maps > 0) normals.push_back({tasks::normals, shown * costs.normals});
-        levels += costs.levels * share, pictures += costs.pictures * share;
+        levels += costs.levels * share;
+        pictures.resize(std::max(pictures.size(), costs.pictures.size()), 0.0);
+        for (std::size_t i = 0; i < costs.pictures.size(); ++i)
+            pictures[i] += costs.pictures[i] * share;
         normal_maps = std::max(normal_maps, costs.normal_maps);
     }
     const double triangles = double(pipeline.mesh().triangles.size());
@@ -80,7 +85,8 @@ std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& rec
     add(textures);
     if (plan.levels.count > 0) all.push_back({tasks::levels, levels});
     for (std::size_t i = 0; !floats && i < normal_maps; ++i) add(normals);
-    if (writes && !floats) all.push_back({tasks::pictures, pictures});
+    if (writes && !floats)
+        for (const double picture : pictures) all.push_back({tasks::pictures, picture});
     if (writes) all.push_back({tasks::write, writing_seconds * texels});
     return all;
 }

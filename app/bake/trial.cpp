@@ -114,11 +114,14 @@ TrialCosts costs_of(Mesh squares, const StageContext& context, const Recipe& rec
     const double made = thread_seconds();
     const auto normals = bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees);
     const double turned = thread_seconds();
-    encode(material.color, plan.coding, times);
-    for (const ExportPicture& picture : material.pictures)
-        encode(picture.image, plan.coding, times);
-    if (normals) encode(normals->image, plan.coding, times);
-    costs.pictures = thread_seconds() - turned;
+    const auto try_encoding = [&](const auto& picture) {
+        const double begins = thread_seconds();
+        encode(picture, plan.coding, times);
+        costs.pictures.push_back(thread_seconds() - begins);
+    };
+    try_encoding(material.color);
+    if (normals) try_encoding(normals->image);
+    for (const ExportPicture& picture : material.pictures) try_encoding(picture.image);
     costs.normals = normals ? turned - made : 0.0;
     const StageRecords& records = pipeline.records();
     costs.normal_maps = records[Stage::normals].runs;
@@ -157,8 +160,10 @@ TrialCosts costs_of_texel(Pipeline& pipeline, const Recipe& recipe, const BakePl
         return std::max((all.*cost - few.*cost) / 0.9375, 0.5 * all.*cost) / texels;
     };
     // A picture's encoding tries filters on a share of it, at the least on so many bytes.
-    return {each(&TrialCosts::texture), each(&TrialCosts::levels), each(&TrialCosts::normals),
-            all.pictures / texels, all.normal_maps};
+    TrialCosts result{each(&TrialCosts::texture), each(&TrialCosts::levels),
+                      each(&TrialCosts::normals), all.pictures, all.normal_maps};
+    for (double& picture : result.pictures) picture /= texels;
+    return result;
 }
 
 }  // namespace
@@ -186,8 +191,10 @@ TrialCosts try_costs(Pipeline& pipeline, const Recipe& recipe, const BakePlan& p
         return {};  // the bake itself says what is wrong
     }
     for (double* cost : {&costs.texture, &costs.levels, &costs.normals}) *cost /= threads;
-    if (plan.coding.format == TextureFormat::png) costs.pictures /= threads;
-    if (plan.levels.count > 0) costs.pictures *= 4.0 / 3.0;
+    for (double& picture : costs.pictures) {
+        if (plan.coding.format == TextureFormat::png) picture /= threads;
+        if (plan.levels.count > 0) picture *= 4.0 / 3.0;
+    }
     return costs;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 // A trial of a bake's costs, for the time that is left: its recipe on a few small squares.
+#include <vector>
+
 #include "app/bake/bake.h"
 
 namespace burl {
@@ -7,8 +9,8 @@ namespace burl {
 /// Seconds a texel of what is done to every texel of a bake, by its threads. Zero: not known.
 struct TrialCosts {
     double texture = 0.0, levels = 0.0;
-    double normals = 0.0;  ///< of one map
-    double pictures = 0.0;
+    double normals = 0.0;            ///< of one map
+    std::vector<double> pictures{};  ///< of each picture, in the order in which they are written
     std::size_t normal_maps = 0;  ///< how often normals are worked out: MIP levels need them, too
 };
 

@@ -7,6 +7,8 @@
 #include "app/export/formats.h"
 #include "app/image/exr_io.h"
 #include "app/image/image_io.h"
+#include "app/pipeline/stage_records.h"
+#include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"
 
@@ -49,11 +51,22 @@ AtomicFile write_exr_file(const SceneContent& content) {
 template <class Pixel>
 constexpr bool is_coded = !std::is_same_v<Pixel, RgbF> && !std::is_same_v<Pixel, RgbaF>;
 
-/// Encodes an image of 8 or 16 bits of a variant, which it refers to.
+/// The bytes of an image and its levels, which a meter counts.
+template <class Images>
+std::uint64_t bytes_of_texture(const Images& image, const std::vector<Images>& levels) {
+    const auto bytes = [](const auto& one) { return std::uint64_t(bytes_of(one)); };
+    std::uint64_t sum = std::visit(bytes, image);
+    for (const Images& level : levels) sum += std::visit(bytes, level);
+    return sum;
+}
+
+/// Encodes an image of 8 or 16 bits of a variant, which it refers to. If `begun` is not 0, a task
+/// of so many bytes begins with it: each picture is compressed at a pace of its own.
 template <class Images>
 std::function<void(const ByteSink&)> encoder(const Images& images, const PictureCoding& coding,
-                                             PngContent content) {
-    return [&images, coding, content](const ByteSink& sink) {
+                                             PngContent content, std::uint64_t begun = 0) {
+    return [&images, coding, content, begun](const ByteSink& sink) {
+        if (coding.meter && begun > 0) coding.meter->begin(tasks::pictures, begun);
         const auto encode = [&]<class Pixel>(const Image<Pixel>& image) {
             if constexpr (is_coded<Pixel>) encode_picture(image, sink, coding, content);
         };
@@ -80,6 +93,7 @@ std::function<void(const ByteSink&)> levels_encoder(const Images& image,
                                                     const PictureCoding& coding,
                                                     PngContent content) {
     return [&image, &levels, coding, content](const ByteSink& sink) {
+        if (coding.meter) coding.meter->begin(tasks::pictures, bytes_of_texture(image, levels));
         std::vector<CodeRaster> rasters{eight_bits(image)};
         for (const Images& level : levels) rasters.push_back(eight_bits(level));
         encode_ktx2(rasters, sink, coding.quality.value_or(ktx2_level), content, coding.meter);
@@ -93,7 +107,8 @@ std::vector<SceneImage> texture_of(const std::string& name, const std::string& p
                                    const PictureCoding& coding, PngContent content) {
     if (coding.format == TextureFormat::ktx2)
         return {{name, path, levels_encoder(image, levels, coding, content)}};
-    std::vector<SceneImage> texture{{name, path, encoder(image, coding, content)}};
+    std::vector<SceneImage> texture{
+        {name, path, encoder(image, coding, content, bytes_of_texture(image, levels))}};
     for (std::size_t l = 1; l <= levels.size(); ++l)
         texture.push_back({fmt::format("{} level {}", name, l),
                            path_beside(path, level_extension(l, coding.format)),

@@ -62,13 +62,13 @@ void draw_pictures(std::vector<PageObject>& objects) {
 
 void run_page(const PageCommand& command) {
     std::vector<PageObject> objects = page_objects(command.paths);
+    check_page_folder(command.folder);
     for (const PageObject& object : objects) check_page_object(object.path);
     draw_pictures(objects);
     CommandFiles files;
     files.allow_new_folders();
     files.read(command.paths);
     for (const std::string& path : page_files(command.folder, objects)) files.write(path);
-    check_page_folder(command.folder);
     for (const char* part : {"lights", "objects"})
         make_folder((std::filesystem::path(command.folder) / part).string());
     write_page(command.folder, command.title, objects);
