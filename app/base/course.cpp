@@ -53,7 +53,7 @@ double slowness(const TaskMeter::Reading& reading, const Expected& expected,
 }
 
 /// The seconds left of the task under way, of which so many were expected in all; none: not known.
-/// What was expected gives way to the pace, as a task may have something to prepare.
+/// The expectation gives way to the pace, as a task may have something to prepare.
 std::optional<double> left_of_task(const TaskMeter::Reading& reading, double all) {
     const double share = reading.share(), rest = 1.0 - share;
     const double prior = all > 0.0 ? share_of_expected * rest * rest : 0.0;

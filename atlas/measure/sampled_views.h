@@ -48,7 +48,7 @@ struct ViewRow {
     double noise = 0.0;
 };
 
-/// The same pixels for every row: the point in a pixel's centre, and the side it is seen from.
+/// All rows share their pixels: the point in a pixel's centre, and the side it is seen from.
 struct SampledViews {
     std::vector<SurfacePoint> points;
     std::vector<FootprintAxes> axes;  ///< `along` points to the camera's side, at random
