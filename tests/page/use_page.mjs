@@ -16,7 +16,10 @@ const place = (selector) => browser.value(`(({x, y, width, height}) => ({x, y, w
     document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect())`);
 const view = async () => browser.picture(await place('#view'));
 const linked = async () => { // an address follows what is asked for a moment later
-    await new Promise((done) => setTimeout(done, 400));
+    for (let i = 0; i < 3; ++i) {
+        await new Promise((done) => setTimeout(done, 200));
+        await browser.settled();
+    }
     return browser.value('location.href');
 };
 const frames = () => browser.value('Number(document.documentElement.dataset.frames)');

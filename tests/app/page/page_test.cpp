@@ -137,6 +137,7 @@ TEST(Page, SaysWhatItCannotShowAndLeavesWhatIsThere) {
         {"'" + a + "' -o '" + scratch / "somebody.txt" + "'", 2},
         {"'" + outside + "' -o '" + scratch / "page" + "'", 1},
         {"'" + scratch / "none.glb" + "' -o '" + scratch / "page" + "'", 2},
+        {"'" + a + "' -o ''", 1},
         {"-o '" + scratch / "page" + "'", 1}};
     for (const auto& [arguments, code] : cases) {
         const auto outcome = test::run_burl(scratch, "page " + arguments);
