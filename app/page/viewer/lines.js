@@ -1,8 +1,17 @@
 // The borders of charts, or all triangles, as lines: over an object, and over its atlas.
 import * as THREE from 'three';
 
+const found = new WeakMap(); // by geometry: the object and its atlas show the same edges
+
 // Pairs of vertex numbers: the edges of one triangle alone, which bound charts, or all edges, each once.
 export function edgesOf(geometry, which) {
+    const known = found.get(geometry) ?? {};
+    known[which] ??= findEdges(geometry, which);
+    found.set(geometry, known);
+    return known[which];
+}
+
+function findEdges(geometry, which) {
     const count = geometry.index ? geometry.index.count : geometry.attributes.position.count;
     const at = geometry.index ? (i) => geometry.index.getX(i) : (i) => i;
     const vertices = geometry.attributes.position.count, times = new Map();
