@@ -93,17 +93,7 @@ Json measured(const Mesh& mesh, const Recipe& recipe, const MetricsOptions& opti
     if (options.own_uvs && measured.corners.uvs.empty())
         throw burl::Error(ExitCode::usage, "the mesh has no texture coordinates to measure");
     Measuring measuring(std::move(plan), measured);
-    std::vector<MeasuredAtlas> atlases;
-    const std::size_t count = kinds.size() + (options.own_uvs ? 1 : 0);
-    if (options.own_uvs) {
-        measuring.begin(0, count);
-        atlases.push_back(measuring.uv_atlas());
-    }
-    for (const AtlasKind kind : kinds) {
-        measuring.begin(atlases.size(), count);
-        atlases.push_back(measuring.our_atlas(kind));
-    }
-    return measuring.json(atlases);
+    return measuring.json(measuring.all(options.own_uvs, kinds));
 }
 
 Evaluated evaluated(const Recipe& recipe, std::span<const double> points,

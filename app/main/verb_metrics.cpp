@@ -120,20 +120,6 @@ AtlasesAsked atlases_asked(const MetricsCommand& command, const Recipe& recipe, 
     return result;
 }
 
-std::vector<MeasuredAtlas> measure_all(Measuring& measuring, const AtlasesAsked& asked) {
-    const std::size_t count = asked.kinds.size() + (asked.uvs ? 1 : 0);
-    std::vector<MeasuredAtlas> atlases;
-    if (asked.uvs) {
-        measuring.begin(0, count);
-        atlases.push_back(measuring.uv_atlas());
-    }
-    for (const AtlasKind kind : asked.kinds) {
-        measuring.begin(atlases.size(), count);
-        atlases.push_back(measuring.our_atlas(kind));
-    }
-    return atlases;
-}
-
 void run_metrics(const MetricsCommand& command) {
     RecipeOptions options = command.recipe;
     if (options.given("atlas.kind") == "all")
@@ -157,7 +143,7 @@ void run_metrics(const MetricsCommand& command) {
                          {},
                          progress.meter()},
                         std::move(mesh));
-    std::vector<MeasuredAtlas> atlases = measure_all(measuring, asked);
+    std::vector<MeasuredAtlas> atlases = measuring.all(asked.uvs, asked.kinds);
     progress.finish();
     if (command.json) {
         write_json("-", measuring.json(atlases));

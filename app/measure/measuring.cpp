@@ -105,6 +105,23 @@ void Measuring::go_on(const char* task) const {
     if (plan_.meter) plan_.meter->begin(task);
 }
 
+std::vector<MeasuredAtlas> Measuring::all(bool own_uvs, std::span<const AtlasKind> kinds) {
+    const std::size_t count = kinds.size() + (own_uvs ? 1 : 0);
+    std::vector<MeasuredAtlas> atlases;
+    const auto begin = [&] {
+        if (plan_.meter) plan_.meter->begin_round(atlases.size(), count);
+    };
+    if (own_uvs) {
+        begin();
+        atlases.push_back(uv_atlas());
+    }
+    for (const AtlasKind kind : kinds) {
+        begin();
+        atlases.push_back(our_atlas(kind));
+    }
+    return atlases;
+}
+
 /// Adds the errors of levels synthesised directly, which only a recipe's texture has.
 MeasuredAtlas Measuring::with_direct(MeasuredAtlas result,
                                      const std::optional<SurfaceTruth>& truth) {

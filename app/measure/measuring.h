@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -48,10 +49,9 @@ class Measuring {
     Measuring(MeasuringPlan plan, Mesh measured_mesh);
 
     const Mesh& mesh() const { return pipeline_.mesh(); }
-    /// Tells that the atlas `number` of `of` comes next.
-    void begin(std::size_t number, std::size_t of) const {
-        if (plan_.meter) plan_.meter->begin_round(number, of);
-    }
+    /// The figures of the mesh's own texture coordinates, if asked for, and of our atlases of these
+    /// kinds, each a round of the meter. Throws Error as uv_atlas() and our_atlas() do.
+    std::vector<MeasuredAtlas> all(bool own_uvs, std::span<const AtlasKind> kinds);
     /// The figures of our atlas of that kind. Throws Error as layouts do.
     MeasuredAtlas our_atlas(AtlasKind kind);
     /// The figures of the mesh's own texture coordinates, of which it must have some.
