@@ -42,7 +42,7 @@ TrialCosts costs_of(const BakePlan& plan, const Recipe& recipe, Pipeline& pipeli
 }
 
 double point_seconds(AtlasKind kind) {
-    return kind == AtlasKind::uv      ? uv_point_seconds
+    return has_outlines(kind)         ? uv_point_seconds
            : kind == AtlasKind::patch ? patch_point_seconds
                                       : block_point_seconds;
 }

@@ -253,7 +253,7 @@ void add_part(GltfScene& scene, const SceneContent& content, const PartVertices&
 
 TextureFilter baked_filter(const AtlasOptions& atlas) {
     if (atlas.overscan == Overscan::nearest) return TextureFilter::nearest;
-    const bool plain = atlas.kind == AtlasKind::patch || atlas.kind == AtlasKind::uv;
+    const bool plain = atlas.kind == AtlasKind::patch || has_outlines(atlas.kind);
     return plain ? TextureFilter::mip : TextureFilter::linear;
 }
 

@@ -18,6 +18,7 @@ std::vector<AtlasKind> all_atlas_kinds(std::uint32_t size) {
     std::vector<AtlasKind> kinds{AtlasKind::uniform, AtlasKind::area, AtlasKind::length};
     if (std::has_single_bit(size)) kinds.push_back(AtlasKind::quad);
     kinds.push_back(AtlasKind::patch);
+    kinds.push_back(AtlasKind::chart);
     return kinds;
 }
 

@@ -1,6 +1,7 @@
 // MIP levels with gutters kept out: above the last pure level, colours times validity and validity
 // are halved side by side and divided at the end.
 #include "atlas/build/block_levels.h"
+#include "atlas/outline/pack.h"
 
 #include <algorithm>
 #include <bit>
@@ -112,6 +113,11 @@ std::uint32_t last_pure_level(const MeshAtlas& atlas) {
         return static_cast<std::uint32_t>(
             std::min(std::countr_zero(aligned), std::countr_zero(layout.options.size)));
     }
+    if (layout.options.kind == AtlasKind::chart) {
+        const std::uint32_t size = layout.options.size;
+        return static_cast<std::uint32_t>(
+            std::min(std::countr_zero(outline_cell(size)), std::countr_zero(size)));
+    }
     if (layout.options.kind != AtlasKind::quad) return 0;
     return std::min(log2_floor(narrowest_block(layout)),
                     static_cast<std::uint32_t>(std::countr_zero(layout.options.size)));
@@ -125,7 +131,7 @@ std::uint32_t last_source_level(const MeshAtlas& atlas) {
     const Atlas& layout = atlas.atlas();
     const double texels = std::pow(double(layout.options.size), 2.0);
     const std::size_t blocks =
-        layout.options.kind == AtlasKind::uv ? layout.chart_count : layout.blocks.size();
+        has_outlines(layout.options.kind) ? layout.chart_count : layout.blocks.size();
     const double block = std::sqrt(texels / double(std::max<std::size_t>(blocks, 1)));
     return log2_floor(std::max(std::uint32_t(block), 1u));
 }

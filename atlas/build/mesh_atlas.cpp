@@ -7,6 +7,7 @@
 
 #include "atlas/base/memory.h"
 #include "atlas/build/capacity.h"
+#include "atlas/outline/layout.h"
 #include "atlas/read/pose.h"
 #include "atlas/uv/layout.h"
 #include "atlas/uv/raster.h"
@@ -39,24 +40,29 @@ Atlas layout_pairs(const Mesh& mesh, const Connectivity& connectivity, const Atl
 std::optional<MeshAtlas> pack(const Mesh& mesh, const Connectivity& connectivity,
                               const AtlasOptions& options, const std::stop_token& stop) {
     if (options.kind == AtlasKind::uv) return MeshAtlas(layout_uvs(mesh, connectivity, options));
-    if (options.kind != AtlasKind::patch)
+    if (options.kind != AtlasKind::patch && options.kind != AtlasKind::chart)
         return MeshAtlas(layout_atlas(mesh, connectivity, options));
     check_size(options);
     const std::string no_patches = why_no_patches(connectivity, options.size);
     if (!no_patches.empty())
         return MeshAtlas(layout_pairs(mesh, connectivity, options, no_patches));
-    if (auto patches = build_patch_atlas(mesh, connectivity, options, stop))
+    const bool charts = options.kind == AtlasKind::chart;
+    if (charts) {
+        if (auto atlas = layout_charts(mesh, connectivity, options, stop))
+            return MeshAtlas(std::move(*atlas));
+    } else if (auto patches = build_patch_atlas(mesh, connectivity, options, stop)) {
         return MeshAtlas(std::move(*patches));
+    }
     if (stop.stop_requested()) return std::nullopt;
-    return MeshAtlas(
-        layout_pairs(mesh, connectivity, options,
-                     fmt::format("the patches do not fit {0} x {0} texels", options.size)));
+    return MeshAtlas(layout_pairs(mesh, connectivity, options,
+                                  fmt::format("the {0} do not fit {1} x {1} texels",
+                                              charts ? "charts" : "patches", options.size)));
 }
 
 SolidAtlas rasterized(const Mesh& input, const MeshAtlas& atlas, std::span<const Vec3d> positions) {
     if (const PatchAtlas* patches = atlas.patches()) return rasterize_patches(*patches, positions);
     const Atlas& own = atlas.atlas();
-    return own.options.kind == AtlasKind::uv ? rasterize_uv_charts(input, own, positions)
+    return has_outlines(own.options.kind) ? rasterize_uv_charts(input, own, positions)
                                              : rasterize(input, own, positions);
 }
 

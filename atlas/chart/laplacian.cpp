@@ -210,4 +210,14 @@ void PatchLaplacian::apply_inverse(std::span<const double> values, std::span<dou
     for (std::size_t i = 0; i < x.size(); ++i) result[f.vertex[i]] = x[i];
 }
 
+void PatchLaplacian::apply_inverse(std::span<Vec2d> values) const {
+    const Factor& f = *factor_;
+    std::vector<Vec2d> x(f.vertex.size());
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = values[f.vertex[i]];
+    std::fill(values.begin(), values.end(), Vec2d(0.0));
+    if (x.empty()) return;
+    solve_in_place<2>(f.lower(), &x[0].x);
+    for (std::size_t i = 0; i < x.size(); ++i) values[f.vertex[i]] = x[i];
+}
+
 }  // namespace burl

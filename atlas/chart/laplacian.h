@@ -62,6 +62,8 @@ class PatchLaplacian {
     /// Applies the inverse of the free vertices' matrix to `values`; the result is 0 at the other
     /// vertices. One entry per vertex. `result` may be `values`.
     void apply_inverse(std::span<const double> values, std::span<double> result) const;
+    /// Applies the inverse to both coordinates of `values` in place, with the same bits.
+    void apply_inverse(std::span<Vec2d> values) const;
 
   private:
     struct Factor;

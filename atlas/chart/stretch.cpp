@@ -17,7 +17,8 @@ constexpr double least_weight = 1e-6;
 /// any anisotropy, and next to no area shows it.
 constexpr double sliver = 0.01;
 
-/// The smallest positive root of a + b t + c t^2 with a > 0, or infinity.
+}  // namespace
+
 double first_root(double a, double b, double c) {
     const double infinity = std::numeric_limits<double>::infinity();
     const double under = b * b - 4.0 * a * c;
@@ -29,8 +30,6 @@ double first_root(double a, double b, double c) {
     if (q != 0.0 && a / q > 0.0) root = std::min(root, a / q);
     return root;
 }
-
-}  // namespace
 
 double Stretch::distortion() const {
     return finite() ? std::sqrt(x) * std::sqrt(y) / (area * area)

@@ -18,6 +18,9 @@ namespace burl {
 /// Weight of triangles that close holes, relative to their area.
 inline constexpr double fan_weight = 0.02;
 
+/// The smallest positive root of a + b t + c t^2 with a > 0, or infinity.
+double first_root(double a, double b, double c);
+
 /// X and Y of a map, and the area of the patch.
 struct Stretch {
     double x = std::numeric_limits<double>::infinity();  ///< X in mesh units^4

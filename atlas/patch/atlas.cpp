@@ -1,6 +1,6 @@
 // The steps of the patch atlas, in order, with their files; docs/reference/patch-atlas.md tells
 // why.
-// 1. in_unit_frame() below: the mesh is moved into a unit box, so that its scale and place change
+// 1. in_unit_frame(): the mesh is moved into a unit box, so that its scale and place change
 //    nothing; after step 5 to_mesh_frame() gives the maps the mesh's own positions.
 // 2. candidates: several divisions are judged in parallel, for a large mesh on a coarse copy
 //    (coarse_mesh, edge_collapse). Each division is a partition or follows creases (partition).
@@ -23,29 +23,12 @@
 #include <tbb/parallel_for.h>
 
 #include "atlas/chart/coarse_map.h"
+#include "atlas/mesh/unit_frame.h"
 #include "atlas/patch/candidates.h"
 
 namespace burl {
 
 namespace {
-
-constexpr double frame_steps = 1 << 24;  ///< steps of coordinates a side of the unit frame
-
-/// The mesh in the unit frame, in which patches are decided on, with positions and triangles only:
-/// positions are (p - low) / longest side rounded to multiples of 2^-24, with `low` and side of the
-/// mesh's box. Scaling or moving the mesh changes them by next to nothing, so that partition,
-/// corners and packing come out the same. A mesh whose box is empty or a point stays as it is.
-Mesh in_unit_frame(const Mesh& mesh) {
-    Mesh result;
-    result.triangles = mesh.triangles;
-    result.positions = mesh.positions;
-    const Box3 box = bounding_box(mesh);
-    const double side = box.longest_side();
-    if (!(side > 0.0)) return result;
-    for (Vec3d& p : result.positions)
-        p = glm::floor((p - box.low) / side * frame_steps + 0.5) / frame_steps;
-    return result;
-}
 
 /// Sets the patch's points from their origins: mesh points, middles of two of them, and the
 /// centroids of closed holes.

@@ -17,12 +17,18 @@ namespace burl {
 /// Kinds of layout: the strips of the paper's sections 4.1 and 4.2 with blocks of equal size
 /// (uniform), weighted by triangle area (area) or by longest edge (length); `quad`, pairs in a
 /// quadtree (docs/reference/atlases.md); `patch`, few patches on rectangles
-/// (docs/reference/patch-atlas.md); `uv`, the mesh's own texture coordinates
+/// (docs/reference/patch-atlas.md); `chart`, nearly isometric charts with free outlines
+/// (docs/reference/chart-atlas.md); `uv`, the mesh's own texture coordinates
 /// (docs/reference/uv-atlas.md).
-enum class AtlasKind { uniform, area, length, quad, patch, uv };
+enum class AtlasKind { uniform, area, length, quad, patch, chart, uv };
 /// Whether the kind lays pairs of triangles in rows.
 constexpr bool is_strips(AtlasKind kind) {
     return kind < AtlasKind::quad;
+}
+/// Whether charts of the kind have outlines of any form, and texels between charts show the nearest
+/// one.
+constexpr bool has_outlines(AtlasKind kind) {
+    return kind == AtlasKind::chart || kind == AtlasKind::uv;
 }
 /// The texture lookup for which overscan is counted: it must not read texels of an unrelated
 /// triangle.
@@ -43,7 +49,7 @@ enum class UvOverlap { refuse, first };
 
 template <>
 inline constexpr auto enum_names<AtlasKind> = enum_words("uniform", "area", "length", "quad",
-                                                         "patch", "uv");
+                                                         "patch", "chart", "uv");
 template <>
 inline constexpr auto enum_names<Overscan> = enum_words("nearest", "bilinear");
 template <>

@@ -29,8 +29,8 @@ bool lay_out_aside(Pipeline& pipeline, const std::stop_token& stop) {
 
 AtlasOptions atlas_at_once(const AtlasOptions& wanted, std::size_t triangles) {
     AtlasOptions quick = wanted;
-    if (wanted.kind != AtlasKind::patch || triangles <= many_faces || wanted.size == 0)
-        return quick;
+    const bool slow = wanted.kind == AtlasKind::patch || wanted.kind == AtlasKind::chart;
+    if (!slow || triangles <= many_faces || wanted.size == 0) return quick;
     quick.kind = AtlasKind::quad;
     quick.size = std::bit_floor(wanted.size);
     return quick;

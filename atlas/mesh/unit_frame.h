@@ -1,0 +1,13 @@
+#pragma once
+// The frame in which atlases are decided on, so that a mesh's scale and place change nothing.
+#include "atlas/mesh/mesh.h"
+
+namespace burl {
+
+/// The mesh in the unit frame with positions and triangles only: positions are (p - low) / longest
+/// side rounded to multiples of 2^-24, with `low` and side of the mesh's box. Scaling or moving the
+/// mesh changes them by next to nothing, so that partitions and packing come out the same. A mesh
+/// whose box is empty or a point stays as it is.
+Mesh in_unit_frame(const Mesh& mesh);
+
+}  // namespace burl

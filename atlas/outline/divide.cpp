@@ -1,0 +1,132 @@
+#include "atlas/outline/divide.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "atlas/chart/planar_map.h"
+#include "atlas/patch/cut.h"
+
+namespace burl {
+namespace {
+
+/// Share of the mesh's area below which a chart may be distorted `small_slack` times as much: its
+/// own borders would cost more.
+constexpr double small_share = 0.005, small_slack = 4.0;
+
+/// The chart of a patch with these places; triangles that close holes are left out.
+FlatChart chart_of(const Patch& patch, std::vector<Vec2d> places) {
+    FlatChart chart;
+    chart.places = std::move(places);
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+        if (patch.faces[t] == not_in_mesh) continue;
+        chart.faces.push_back(patch.faces[t]);
+        chart.triangles.push_back(patch.triangles[t]);
+    }
+    for (const HalfEdge h : patch.loops[0]) chart.outline.push_back(chart.places[patch.start(h)]);
+    chart.area = area_of(patch);
+    return chart;
+}
+
+/// The places of a planar patch in its plane.
+std::vector<Vec2d> in_plane(const PlanarMap& map) {
+    const Vec2d sides(glm::length(map.along_u), glm::length(map.along_v));
+    std::vector<Vec2d> places;
+    places.reserve(map.uv.size());
+    for (const Vec2d& uv : map.uv) places.push_back(uv * sides);
+    return places;
+}
+
+/// Flattens regions, halving those that distort too much.
+class Division {
+  public:
+    Division(const Mesh& mesh, const Connectivity& connectivity, double area,
+             const DivisionOptions& options)
+        : mesh_(mesh),
+          connectivity_(connectivity),
+          area_(area),
+          options_(options),
+          local_([&mesh] { return std::vector<std::int32_t>(mesh.triangles.size(), -1); }) {}
+
+    FlatCharts flatten_all(const Regions& regions) {
+        std::vector<FlatCharts> by_region(regions.size());
+        tbb::parallel_for(std::size_t(0), regions.size(),
+                          [&](std::size_t i) { by_region[i] = flatten(regions[i]); });
+        FlatCharts result;
+        for (FlatCharts& of : by_region) {
+            std::ranges::move(of.charts, std::back_inserter(result.charts));
+            std::ranges::copy(of.unmapped, std::back_inserter(result.unmapped));
+        }
+        return result;
+    }
+
+  private:
+    FlatCharts flatten(const std::vector<std::uint32_t>& faces) {
+        FlatCharts result;
+        if (options_.stop.stop_requested()) {
+            result.unmapped = faces;
+            return result;
+        }
+        const Regions pieces = flatten_or_divide(faces, result);
+        return pieces.empty() ? std::move(result) : flatten_all(pieces);
+    }
+
+    /// Flattens the faces into `result`, or returns the pieces to flatten instead.
+    Regions flatten_or_divide(const std::vector<std::uint32_t>& faces, FlatCharts& result) {
+        std::vector<std::int32_t>& local = local_.local();
+        Patch patch = extract_patch(mesh_, connectivity_, faces, local);
+        Regions components = component_faces(patch);
+        if (components.size() > 1) return components;
+        if (const auto planar = map_planar(patch)) {
+            result.charts.push_back(chart_of(patch, in_plane(*planar)));
+            return {};
+        }
+        if (make_disk(patch)) {
+            const double most = most_energy(area_of(patch));
+            auto map = map_freely(patch, {.wanted = most});
+            if (map && map->energy <= most && !overlaps_itself(patch, map->places)) {
+                result.charts.push_back(chart_of(patch, std::move(map->places)));
+                return {};
+            }
+        }
+        if (faces.size() > 1) return bisect_region(mesh_, connectivity_, faces, local);
+        result.unmapped = faces;
+        return {};
+    }
+
+    /// Closes small holes and slits tubes; false if the patch is no disk then.
+    bool make_disk(Patch& patch) const {
+        const PatchTopology topology = topology_of(patch);
+        if (topology.handles > 0 || topology.loops == 0) return false;
+        fan_holes(patch, connectivity_);
+        slit_tube(patch);
+        return topology_of(patch).is_disk();
+    }
+
+    double most_energy(double area) const {
+        const double slack = area < small_share * area_ ? small_slack : 1.0;
+        return 1.0 + slack * (options_.most_energy - 1.0);
+    }
+
+    const Mesh& mesh_;
+    const Connectivity& connectivity_;
+    double area_;
+    DivisionOptions options_;
+    tbb::enumerable_thread_specific<std::vector<std::int32_t>> local_;
+};
+
+}  // namespace
+
+FlatCharts divide_into_charts(const Mesh& mesh, const Connectivity& connectivity,
+                              const DivisionOptions& options) {
+    double area = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_area(mesh, t);
+    FlatCharts result = Division(mesh, connectivity, area, options)
+                            .flatten_all(partition_mesh(mesh, connectivity, options.partition));
+    std::ranges::sort(result.unmapped);
+    return result;
+}
+
+}  // namespace burl

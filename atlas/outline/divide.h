@@ -1,0 +1,45 @@
+#pragma once
+// Division of a mesh into charts with nearly isometric maps: a partition into few regions, each
+// flattened with a free outline, and halved where that distorts it too much or makes it overlap
+// itself.
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "atlas/mesh/connectivity.h"
+#include "atlas/mesh/mesh.h"
+#include "atlas/outline/free_map.h"
+#include "atlas/patch/partition.h"
+
+namespace burl {
+
+/// A flattened part of the mesh.
+struct FlatChart {
+    std::vector<std::uint32_t> faces;  ///< triangles of the mesh
+    std::vector<Triangle> triangles;   ///< vertices of each of them, as numbers of `places`
+    std::vector<Vec2d> places;         ///< place of each vertex, in units of the mesh
+    std::vector<Vec2d> outline;        ///< outer border, counter-clockwise
+    double area = 0.0;                 ///< area of the triangles on the mesh
+};
+
+/// Limits of distortion.
+struct DivisionOptions {
+    PartitionOptions partition{.patches = 8, .seed = 1, .least_share = 0.05};
+    /// Largest energy of a chart (FreeMap::energy).
+    double most_energy = 1.04;
+    std::stop_token stop{};
+};
+
+/// The charts of a mesh.
+struct FlatCharts {
+    std::vector<FlatChart> charts;
+    std::vector<std::uint32_t> unmapped;  ///< triangles without area or map, ascending
+};
+
+/// Flattens the mesh; every triangle is in one chart or unmapped. Parts are flattened in parallel;
+/// the result does not depend on the number of threads. Once a stop is requested what is left is
+/// unmapped.
+FlatCharts divide_into_charts(const Mesh& mesh, const Connectivity& connectivity,
+                              const DivisionOptions& options = {});
+
+}  // namespace burl

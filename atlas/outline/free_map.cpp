@@ -1,0 +1,238 @@
+#include "atlas/outline/free_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numbers>
+#include <utility>
+
+#include "atlas/chart/laplacian.h"
+
+namespace burl {
+namespace {
+
+/// Number of steps from which L-BFGS estimates the Hessian.
+constexpr std::size_t memory = 6;
+constexpr double keep_from_collapse = 0.8;  ///< longest step, relative to that to a collapse
+/// Iterations after which a descent is given up that will not reach the wanted energy: gains only
+/// get smaller by then.
+constexpr int before_giving_up = 8;
+
+using Field = std::vector<Vec2d>;
+
+double dot(const Field& a, const Field& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += glm::dot(a[i], b[i]);
+    return sum;
+}
+
+void add_scaled(Field& a, double factor, const Field& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+}
+
+std::vector<bool> all_but_one(const Patch& patch) {
+    std::vector<bool> is_free(patch.points.size(), true);
+    is_free[patch.triangles[0][0]] = false;
+    return is_free;
+}
+
+/// One descent on a map's energy.
+class Descent {
+  public:
+    Descent(const Patch& patch, const WeightedEdges& edges, Field& places)
+        : edges_(edges),
+          places_(places),
+          energy_(patch),
+          laplacian_(edges, all_but_one(patch)) {}
+
+    int run(const FreeMapOptions& options) {
+        value_ = energy_(places_);
+        if (!laplacian_.factored() || !std::isfinite(value_)) return 0;
+        Field gradient(places_.size());
+        energy_.gradient(places_, gradient);
+        int done = 0;
+        while (done < options.iterations) {
+            const double before = value_;
+            const Field old_places = places_, old_gradient = gradient;
+            if (!step_along(direction(gradient), gradient)) {
+                if (pairs_.empty()) break;
+                pairs_.clear();
+                continue;
+            }
+            ++done;
+            const double gain = before - value_;
+            if (gain < options.least_gain * (before - 1.0)) break;
+            if (done >= before_giving_up &&
+                value_ - options.wanted > gain * (options.iterations - done))
+                break;
+            energy_.gradient(places_, gradient);
+            remember(old_places, old_gradient, gradient);
+        }
+        return done;
+    }
+
+    double energy() const { return value_; }
+
+  private:
+    /// A step of the descent with the change of the gradient along it; inverse_product is 1 / (move
+    /// . change).
+    struct Pair {
+        Field move, change;
+        double inverse_product;
+    };
+
+    /// The direction of descent by the two-loop recursion of L-BFGS.
+    Field direction(const Field& gradient) const {
+        Field d = gradient;
+        std::vector<double> share(pairs_.size());
+        for (std::size_t i = pairs_.size(); i-- > 0;) {
+            share[i] = pairs_[i].inverse_product * dot(pairs_[i].move, d);
+            add_scaled(d, -share[i], pairs_[i].change);
+        }
+        laplacian_.apply_inverse(d);
+        for (Vec2d& value : d) value *= scale_;
+        for (std::size_t i = 0; i < pairs_.size(); ++i)
+            add_scaled(d, share[i] - pairs_[i].inverse_product * dot(pairs_[i].change, d),
+                       pairs_[i].move);
+        for (Vec2d& value : d) value = -value;
+        return d;
+    }
+
+    /// Moves along d, halving the step until the energy falls enough (Armijo); false, with nothing
+    /// moved, if it never does.
+    bool step_along(const Field& d, const Field& gradient) {
+        const double slope = dot(d, gradient), before = value_;
+        if (!(slope < 0.0)) return false;
+        double step = std::min(1.0, keep_from_collapse * energy_.step_to_collapse(places_, d));
+        Field moved;
+        for (int halvings = 0; halvings < 30; ++halvings, step *= 0.5) {
+            moved = places_;
+            add_scaled(moved, step, d);
+            const double after = energy_(moved);
+            if (!(after <= before + 1e-4 * step * slope)) continue;
+            value_ = after;
+            places_ = std::move(moved);
+            return true;
+        }
+        return false;
+    }
+
+    /// The Laplacian's value of a move, sum of w |move_a - move_b|^2 over the edges.
+    double dirichlet(const Field& move) const {
+        double sum = 0.0;
+        for (const WeightedEdges::Edge& e : edges_.edges) {
+            const Vec2d d = move[e.a] - move[e.b];
+            sum += e.weight * glm::dot(d, d);
+        }
+        return sum;
+    }
+
+    void remember(const Field& old_places, const Field& old_gradient, const Field& gradient) {
+        Pair pair{places_, gradient, 0.0};
+        add_scaled(pair.move, -1.0, old_places);
+        add_scaled(pair.change, -1.0, old_gradient);
+        const double product = dot(pair.move, pair.change);
+        if (!(product > 0.0)) return;
+        pair.inverse_product = 1.0 / product;
+        scale_ = dirichlet(pair.move) / product;
+        pairs_.push_back(std::move(pair));
+        if (pairs_.size() > memory) pairs_.pop_front();
+    }
+
+    const WeightedEdges& edges_;
+    Field& places_;
+    IsometryEnergy energy_;
+    PatchLaplacian laplacian_;
+    std::deque<Pair> pairs_;
+    double value_ = std::numeric_limits<double>::infinity(), scale_ = 1.0;
+};
+
+/// The harmonic map onto a circle with the patch's area, on which the border's vertices have the
+/// distances that they have along the border; nothing if it has a flip.
+std::optional<Field> onto_circle(const Patch& patch, const WeightedEdges& edges) {
+    const std::vector<HalfEdge>& loop = patch.loops[0];
+    const double radius = std::sqrt(area_of(patch) / std::numbers::pi);
+    const double turn = 2.0 * std::numbers::pi / length_of(patch, loop);
+    std::vector<bool> is_free(patch.points.size(), true);
+    std::vector<Field> fields{Field(patch.points.size(), Vec2d(0.0))};
+    double at = 0.0;
+    for (const HalfEdge h : loop) {
+        const std::uint32_t v = patch.start(h);
+        fields[0][v] = radius * Vec2d(std::cos(turn * at), std::sin(turn * at));
+        is_free[v] = false;
+        at += glm::distance(patch.points[v], patch.points[patch.end(h)]);
+    }
+    const PatchLaplacian laplacian(edges, is_free);
+    if (!laplacian.factored()) return std::nullopt;
+    laplacian.solve_harmonic(fields);
+    const Field& q = fields[0];
+    for (const auto& [i, j, k] : patch.triangles)
+        if (!(cross(q[j] - q[i], q[k] - q[i]) > 0.0)) return std::nullopt;
+    return std::move(fields[0]);
+}
+
+/// An edge of an outline: its ends' places and vertices.
+struct OutlineEdge {
+    Vec2d a, b;
+    std::uint32_t i, j;
+
+    bool crosses(const OutlineEdge& o) const {
+        if (i == o.i || i == o.j || j == o.i || j == o.j) return false;
+        const auto apart = [](const Vec2d& p, const Vec2d& q, const OutlineEdge& e) {
+            return cross(q - p, e.a - p) * cross(q - p, e.b - p) < 0.0;
+        };
+        return apart(a, b, o) && apart(o.a, o.b, *this);
+    }
+};
+
+}  // namespace
+
+std::optional<FreeMap> map_freely(const Patch& patch, const FreeMapOptions& options) {
+    if (patch.loops.empty() || patch.loops[0].size() < 3) return std::nullopt;
+    const WeightedEdges edges = weighted_edges(patch);
+    std::optional<Field> start = onto_circle(patch, edges);
+    if (!start)
+        start = onto_circle(patch, weighted_edges(patch, EdgeWeights::uniform, edges.order));
+    if (!start) return std::nullopt;
+    FreeMap map{std::move(*start)};
+    Descent descent(patch, edges, map.places);
+    map.iterations = descent.run(options);
+    map.energy = descent.energy();
+    if (!std::isfinite(map.energy)) return std::nullopt;
+    return map;
+}
+
+bool overlaps_itself(const Patch& patch, std::span<const Vec2d> places) {
+    std::vector<OutlineEdge> edges;
+    Vec2d low(std::numeric_limits<double>::infinity()), high = -low;
+    double length = 0.0;
+    for (const auto& loop : patch.loops)
+        for (const HalfEdge h : loop) {
+            const std::uint32_t i = patch.start(h), j = patch.end(h);
+            edges.push_back({places[i], places[j], i, j});
+            low = glm::min(low, places[i]);
+            high = glm::max(high, places[i]);
+            length += glm::distance(places[i], places[j]);
+        }
+    // A grid with about as many cells along its sides as the outline has edges.
+    const double cell = length / double(edges.size());
+    if (!(cell > 0.0) || !std::isfinite(cell)) return true;
+    const auto columns = std::size_t((high.x - low.x) / cell) + 1;
+    const auto rows = std::size_t((high.y - low.y) / cell) + 1;
+    std::vector<std::vector<std::uint32_t>> grid(columns * rows);
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+        const Vec2d first = (glm::min(edges[e].a, edges[e].b) - low) / cell;
+        const Vec2d last = (glm::max(edges[e].a, edges[e].b) - low) / cell;
+        for (auto y = std::size_t(first.y); y <= std::min(std::size_t(last.y), rows - 1); ++y)
+            for (auto x = std::size_t(first.x); x <= std::min(std::size_t(last.x), columns - 1);
+                 ++x) {
+                std::vector<std::uint32_t>& here = grid[y * columns + x];
+                for (const std::uint32_t other : here)
+                    if (edges[e].crosses(edges[other])) return true;
+                here.push_back(e);
+            }
+    }
+    return false;
+}
+
+}  // namespace burl

@@ -1,0 +1,138 @@
+// The chart atlas from mesh to texture: nearly isometric, no texel claimed twice, the same whatever
+// the mesh's scale and the number of threads.
+#include "atlas/outline/layout.h"
+
+#include <gtest/gtest.h>
+
+#include <tbb/task_arena.h>
+
+#include "atlas/build/block_levels.h"
+#include "atlas/build/mesh_atlas.h"
+#include "atlas/uv/claims.h"
+#include "tests/atlas/support/made_patches.h"
+
+namespace burl {
+namespace {
+
+AtlasOptions charts_of(std::uint32_t size) {
+    return {.kind = AtlasKind::chart, .size = size};
+}
+
+Atlas laid_out(const Mesh& mesh, std::uint32_t size) {
+    auto atlas = layout_charts(mesh, build_connectivity(mesh), charts_of(size));
+    EXPECT_TRUE(atlas);
+    return atlas ? std::move(*atlas) : Atlas();
+}
+
+/// The singular values of a triangle's map from the surface to texels, larger first.
+Vec2d singular_values(const Mesh& mesh, const Atlas& atlas, std::size_t t) {
+    const auto& [i, j, k] = mesh.triangles[t];
+    const Vec3d a = mesh.positions[j] - mesh.positions[i], b = mesh.positions[k] - mesh.positions[i];
+    const Vec3d u = glm::normalize(a), v = glm::normalize(b - glm::dot(b, u) * u);
+    const auto& c = atlas.corners[t];
+    const Vec2d p = (c[1] - c[0]) / glm::dot(a, u);
+    const Vec2d q = (c[2] - c[0] - glm::dot(b, u) * p) / glm::dot(b, v);
+    const double sum = glm::dot(p, p) + glm::dot(q, q), det = std::abs(cross(p, q));
+    const double root = std::sqrt(std::max(sum * sum - 4.0 * det * det, 0.0));
+    return {std::sqrt(0.5 * (sum + root)), std::sqrt(0.5 * std::max(sum - root, 0.0))};
+}
+
+std::vector<made::Named> smooth_meshes() {
+    return {{"ball", made::ball(4)},
+            {"ring", made::ring(40, 20)},
+            {"tube", made::tube(24, 20, 6.0)},
+            {"box", made::box(4)},
+            {"grid", made::grid(9, 7)}};
+}
+
+TEST(ChartAtlas, MapsAreNearlyIsometricAndOneToOne) {
+    for (const auto& [name, mesh] : smooth_meshes()) {
+        SCOPED_TRACE(name);
+        const Atlas atlas = laid_out(mesh, 512);
+        double area = 0.0, texels = 0.0, bad = 0.0, scale = 0.0;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const auto& c = atlas.corners[t];
+            ASSERT_GT(cross(c[1] - c[0], c[2] - c[0]), 0.0);
+            area += triangle_area(mesh, t);
+            texels += 0.5 * cross(c[1] - c[0], c[2] - c[0]);
+        }
+        scale = std::sqrt(texels / area);
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const Vec2d s = singular_values(mesh, atlas, t);
+            if (s.x > 1.5 * s.y || s.x > 1.5 * scale || s.y < scale / 1.5)
+                bad += triangle_area(mesh, t);
+        }
+        EXPECT_LT(bad, 0.05 * area);
+        EXPECT_GT(texels, (name == "grid" || name == "ring" ? 0.45 : 0.5) * 512 * 512);
+        EXPECT_EQ(claim_texels(atlas).shared_texels, 0u);
+    }
+}
+
+TEST(ChartAtlas, FlatFacesKeepTheirLengthsExactly) {
+    const Mesh mesh = made::box(4);
+    const Atlas atlas = laid_out(mesh, 512);
+    const double scale = singular_values(mesh, atlas, 0).x;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Vec2d s = singular_values(mesh, atlas, t);
+        EXPECT_NEAR(s.x, scale, 1e-5 * scale);
+        EXPECT_NEAR(s.y, scale, 1e-5 * scale);
+    }
+}
+
+TEST(ChartAtlas, NeitherScaleNorPlaceNorThreadsMatter) {
+    const Mesh mesh = made::ring(40, 20);
+    const Atlas atlas = laid_out(mesh, 256);
+    Mesh moved = mesh;
+    for (Vec3d& p : moved.positions) p = 4096.0 * p + Vec3d(64.0, -32.0, 8.0);
+    EXPECT_EQ(laid_out(moved, 256).corners, atlas.corners);
+    tbb::task_arena one(1);
+    one.execute([&] { EXPECT_EQ(laid_out(mesh, 256).corners, atlas.corners); });
+}
+
+TEST(ChartAtlas, TrianglesWithoutAreaLieAtTheirNeighbours) {
+    const Mesh mesh = made::nasty();
+    const Atlas atlas = laid_out(mesh, 128);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        EXPECT_LT(atlas.charts[t], atlas.chart_count);
+        const auto& c = atlas.corners[t];
+        if (triangle_area(mesh, t) > 0.0) {
+            EXPECT_NE(cross(c[1] - c[0], c[2] - c[0]), 0.0) << t;
+        }
+        for (const Vec2d& q : c)
+            EXPECT_TRUE(q.x >= 0.0 && q.y >= 0.0 && q.x <= 128.0 && q.y <= 128.0);
+    }
+}
+
+TEST(ChartAtlas, LevelsUpToACellAreNotMixed) {
+    const Mesh mesh = made::ball(4);
+    const MeshAtlas atlas = build_atlas(mesh, build_connectivity(mesh), charts_of(1024));
+    ASSERT_EQ(last_pure_level(atlas), 3u);
+    const Image<std::uint32_t> owner = claim_texels(atlas.atlas()).owner;
+    std::vector<std::uint32_t> chart(128 * 128, unclaimed);
+    for (std::size_t y = 0; y < 1024; ++y)
+        for (std::size_t x = 0; x < 1024; ++x) {
+            if (owner(x, y) == unclaimed) continue;
+            std::uint32_t& cell = chart[y / 8 * 128 + x / 8];
+            const std::uint32_t own = atlas.atlas().charts[owner(x, y)];
+            EXPECT_TRUE(cell == unclaimed || cell == own);
+            cell = own;
+        }
+}
+
+TEST(ChartAtlas, SoupsFallBackToPairsAndSayWhy) {
+    const Mesh mesh = made::soup(4000, 1);
+    const MeshAtlas atlas = build_atlas(mesh, build_connectivity(mesh), charts_of(64));
+    EXPECT_NE(atlas.atlas().options.kind, AtlasKind::chart);
+    EXPECT_NE(atlas.atlas().notes.fallback, "");
+}
+
+TEST(ChartAtlas, StopsWhereItIsAsked) {
+    std::stop_source source;
+    source.request_stop();
+    const Mesh mesh = made::ball(3);
+    EXPECT_FALSE(
+        layout_charts(mesh, build_connectivity(mesh), charts_of(256), source.get_token()));
+}
+
+}  // namespace
+}  // namespace burl
