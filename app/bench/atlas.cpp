@@ -211,7 +211,7 @@ std::vector<AtlasBench> bench_atlases(std::span<const std::size_t> faces, int re
     for (const std::size_t count : faces) {
         const AtlasSubject subject(count, points);
         for (const AtlasKind kind : {AtlasKind::uniform, AtlasKind::area, AtlasKind::length,
-                                     AtlasKind::quad, AtlasKind::patch})
+                                     AtlasKind::quad, AtlasKind::patch, AtlasKind::chart})
             result.push_back(bench_atlas(subject, kind, repeats));
     }
     return result;

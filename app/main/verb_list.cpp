@@ -38,8 +38,8 @@ constexpr auto atlas_texts = std::to_array<const char*>(
      "triangles sized by their area (Carr & Hart 4.2)",
      "triangles sized by their longest edge (Carr & Hart 4.2)",
      "pairs in a balanced quadtree of surface clusters (Carr & Hart 4.3)",
-     "few patches on full rectangles, for any lookup (the default)",
-     "nearly isometric charts, for any lookup",
+     "few patches on full rectangles, for any lookup",
+     "nearly isometric charts, for any lookup (the default)",
      "the file's own texture coordinates"});
 static_assert(atlas_texts.size() == enum_names<AtlasKind>.size());
 

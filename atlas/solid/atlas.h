@@ -63,7 +63,7 @@ inline constexpr auto enum_names<UvOverlap> = enum_words("refuse", "first");
 
 /// A user's choices for an atlas.
 struct AtlasOptions {
-    AtlasKind kind = AtlasKind::patch;
+    AtlasKind kind = AtlasKind::chart;
     Overscan overscan = Overscan::bilinear;
     /// N: the texture is exactly N x N texels; a power of two for quad.
     std::uint32_t size = 1024;

@@ -128,7 +128,7 @@ OpenBench bench_open(std::size_t faces) {
         return finest(editor) && editor.shown_smooth();
     };
     const auto patches = [&](EditorProgram& editor) {
-        return finest(editor) && editor.baker().front().surface()->atlas == "patch";
+        return finest(editor) && editor.baker().front().surface()->atlas == "chart";
     };
     {
         Opening opening(file);

@@ -49,7 +49,7 @@ TEST(BenchAtlases, TextureHoldsTwentyFiveToAHundredTexelsAPair) {
 TEST(BenchAtlases, AllKindsSideBySide) {
     const std::vector<AtlasBench> rows = bench_atlases(std::vector<std::size_t>{300, 700}, 1, 500);
     ASSERT_EQ(rows.size(), 10u);
-    const std::vector<std::string> kinds{"uniform", "area", "length", "quad", "patch"};
+    const std::vector<std::string> kinds{"uniform", "area", "length", "quad", "patch", "chart"};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const AtlasBench& row = rows[i];
         EXPECT_EQ(row.kind, kinds[i % 5]);

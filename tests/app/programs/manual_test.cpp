@@ -106,7 +106,7 @@ TEST_F(Manual, BashOffersVerbsOptionsChoicesAndRecipes) {
     EXPECT_THAT(offered("burl ba"), ElementsAre("bake", "batch"));
     EXPECT_THAT(offered("burl bake --atl"), IsSupersetOf({"--atlas", "--atlas-per"}));
     EXPECT_THAT(offered("burl bake -a ''"),
-                ElementsAre("uniform", "area", "length", "quad", "patch", "uv"));
+                ElementsAre("uniform", "area", "length", "quad", "patch", "chart", "uv"));
     EXPECT_THAT(offered("burl render --light st"), IsEmpty());  // a name or a file
     EXPECT_THAT(offered("burl bake --recipe oa"), ElementsAre("oak"));
     EXPECT_THAT(offered("burl list re"), IsEmpty());  // a positional is left to files

@@ -87,9 +87,8 @@ TEST(Program, ReportIsJson) {
     EXPECT_EQ(report["mesh"]["triangles"], 2);
     EXPECT_EQ(report["atlas"]["size"], 64);
     EXPECT_EQ(report["outputs"][0], glb);
-    EXPECT_EQ(report["atlas"]["kind"], "patch");
-    EXPECT_GE(report["atlas"]["patch"]["patches"], 1);
-    EXPECT_EQ(report["atlas"]["patch"]["extra_points"], 0);
+    EXPECT_EQ(report["atlas"]["kind"], "chart");
+    EXPECT_EQ(report["atlas"]["charts"], 1);
     EXPECT_GT(report["atlas"]["coverage"].get<double>(), 0.4);
 }
 

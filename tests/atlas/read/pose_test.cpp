@@ -210,6 +210,7 @@ TEST(MeshPose, OnAPatchAtlasMiddlesOfEdgesStayMiddles) {
     const std::string path = test::binary_folder() + "/meshes/teapot.obj";
     const Mesh mesh = read_mesh(path);
     AtlasOptions options;
+    options.kind = AtlasKind::patch;
     options.size = 256;
     options.tries = 1;
     const MeshAtlas atlas = build_atlas(mesh, build_connectivity(mesh), options);

@@ -28,11 +28,11 @@ Image<Rgb8> picture_of(const Mesh& mesh, const Recipe& recipe) {
     return pipeline.synthesize<Rgb8>();
 }
 
-/// Until patches of these texels a side are being laid out, or there already.
+/// Until charts of these texels a side are being laid out, or there already.
 void wait_for_layout(const EditBaker& baker, std::uint32_t size) {
     const auto done = [&] {
         const auto surface = baker.front().surface();
-        return surface && surface->atlas == "patch" && surface->size == size;
+        return surface && surface->atlas == "chart" && surface->size == size;
     };
     while (!baker.laying_out() && !done()) std::this_thread::yield();
 }
@@ -110,7 +110,7 @@ TEST(EditBaker, ALargeMeshHasPairsAtOnceAndThenPatches) {
     baker.set_mesh(mesh);
     baker.request(recipe, false);
     baker.wait();
-    EXPECT_EQ(atlases, (std::vector<std::string>{"quad", "patch"}));
+    EXPECT_EQ(atlases, (std::vector<std::string>{"quad", "chart"}));
     EXPECT_FALSE(baker.laying_out());
     EXPECT_EQ(baker.front().surface()->size, 256u);
     EXPECT_EQ(baker.front().picture()->surface, baker.front().surface()->number);
@@ -135,7 +135,7 @@ TEST(EditBaker, AnotherMeshOrAnotherAtlasDoesNotWaitForPatches) {
     wait_for_layout(baker, 256);
     baker.request(recipe_of(128), false);
     baker.wait();
-    EXPECT_EQ(baker.front().surface()->atlas, "patch");
+    EXPECT_EQ(baker.front().surface()->atlas, "chart");
     EXPECT_EQ(baker.front().surface()->size, 128u);
     baker.request(recipe_of(256), false);
     wait_for_layout(baker, 256);
@@ -187,7 +187,7 @@ TEST(EditBaker, WhatIsHeldWaitsUntilThePicturesAreSeen) {
     baker.hold_jobs(false);
     baker.wait();
     EXPECT_TRUE(baker.front().pick());
-    EXPECT_EQ(baker.front().surface()->atlas, "patch");
+    EXPECT_EQ(baker.front().surface()->atlas, "chart");
 }
 
 TEST(EditBaker, EndsWhilePatchesAreLaidOut) {
