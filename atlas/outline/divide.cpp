@@ -1,6 +1,7 @@
 #include "atlas/outline/divide.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <tbb/enumerable_thread_specific.h>
@@ -39,17 +40,58 @@ std::vector<Vec2d> in_plane(const PlanarMap& map) {
     return places;
 }
 
+/// The mesh's shells, each as ascending triangles.
+Regions shells_of(const Mesh& mesh, const Connectivity& connectivity) {
+    const auto count = std::uint32_t(mesh.triangles.size());
+    DisjointSets sets(count);
+    for (std::uint32_t t = 0; t < count; ++t)
+        for (const std::int32_t n : connectivity.neighbours[t])
+            if (n >= 0) sets.join(t, std::uint32_t(n));
+    Regions shells;
+    std::vector<std::uint32_t> number(count);
+    for (std::uint32_t t = 0; t < count; ++t) {
+        const std::uint32_t first = sets.find(t);
+        if (first == t) {
+            number[t] = std::uint32_t(shells.size());
+            shells.emplace_back();
+        }
+        shells[number[first]].push_back(t);
+    }
+    return shells;
+}
+
 /// Flattens regions, halving those that distort too much.
 class Division {
   public:
     Division(const Mesh& mesh, const Connectivity& connectivity, double area,
              const DivisionOptions& options)
-        : mesh_(mesh),
-          connectivity_(connectivity),
-          area_(area),
-          options_(options),
-          local_([&mesh] { return std::vector<std::int32_t>(mesh.triangles.size(), -1); }) {}
+        : mesh_(mesh), connectivity_(connectivity), area_(area), options_(options), local_([&mesh] {
+              return std::vector<std::int32_t>(mesh.triangles.size(), -1);
+          }) {}
 
+    /// Flattens shells that need no division, and then the regions in all others.
+    FlatCharts flatten_shells(const Regions& shells) {
+        std::vector<std::optional<FlatChart>> whole(shells.size());
+        tbb::parallel_for(std::size_t(0), shells.size(), [&](std::size_t i) {
+            if (!options_.stop.stop_requested()) whole[i] = flatten_whole(shells[i]);
+        });
+        FlatCharts result;
+        std::vector<bool> done(mesh_.triangles.size(), false);
+        for (std::size_t i = 0; i < shells.size(); ++i) {
+            if (!whole[i]) continue;
+            for (const std::uint32_t face : shells[i]) done[face] = true;
+            result.charts.push_back(std::move(*whole[i]));
+        }
+        if (result.charts.size() == shells.size()) return result;
+        Regions regions = partition_mesh(mesh_, connectivity_, options_.partition);
+        std::erase_if(regions, [&](const auto& region) { return done[region.front()]; });
+        FlatCharts others = flatten_all(regions);
+        std::ranges::move(others.charts, std::back_inserter(result.charts));
+        result.unmapped = std::move(others.unmapped);
+        return result;
+    }
+
+  private:
     FlatCharts flatten_all(const Regions& regions) {
         std::vector<FlatCharts> by_region(regions.size());
         tbb::parallel_for(std::size_t(0), regions.size(),
@@ -62,7 +104,6 @@ class Division {
         return result;
     }
 
-  private:
     FlatCharts flatten(const std::vector<std::uint32_t>& faces) {
         FlatCharts result;
         if (options_.stop.stop_requested()) {
@@ -79,21 +120,29 @@ class Division {
         Patch patch = extract_patch(mesh_, connectivity_, faces, local);
         Regions components = component_faces(patch);
         if (components.size() > 1) return components;
-        if (const auto planar = map_planar(patch)) {
-            result.charts.push_back(chart_of(patch, in_plane(*planar)));
+        if (auto chart = flatten(std::move(patch))) {
+            result.charts.push_back(std::move(*chart));
             return {};
-        }
-        if (make_disk(patch)) {
-            const double most = most_energy(area_of(patch));
-            auto map = map_freely(patch, {.wanted = most});
-            if (map && map->energy <= most && !overlaps_itself(patch, map->places)) {
-                result.charts.push_back(chart_of(patch, std::move(map->places)));
-                return {};
-            }
         }
         if (faces.size() > 1) return bisect_region(mesh_, connectivity_, faces, local);
         result.unmapped = faces;
         return {};
+    }
+
+    std::optional<FlatChart> flatten_whole(const std::vector<std::uint32_t>& faces) {
+        Patch patch = extract_patch(mesh_, connectivity_, faces, local_.local());
+        return patch.loops.empty() ? std::nullopt : flatten(std::move(patch));
+    }
+
+    /// The chart of a connected patch; nothing where it would be distorted too much or overlap.
+    std::optional<FlatChart> flatten(Patch patch) const {
+        if (const auto planar = map_planar(patch)) return chart_of(patch, in_plane(*planar));
+        if (!make_disk(patch)) return std::nullopt;
+        const double most = most_energy(area_of(patch));
+        auto map = map_freely(patch, {.wanted = most});
+        if (!map || !(map->energy <= most) || overlaps_itself(patch, map->places))
+            return std::nullopt;
+        return chart_of(patch, std::move(map->places));
     }
 
     /// Closes small holes and slits tubes; false if the patch is no disk then.
@@ -123,8 +172,8 @@ FlatCharts divide_into_charts(const Mesh& mesh, const Connectivity& connectivity
                               const DivisionOptions& options) {
     double area = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_area(mesh, t);
-    FlatCharts result = Division(mesh, connectivity, area, options)
-                            .flatten_all(partition_mesh(mesh, connectivity, options.partition));
+    FlatCharts result =
+        Division(mesh, connectivity, area, options).flatten_shells(shells_of(mesh, connectivity));
     std::ranges::sort(result.unmapped);
     return result;
 }

@@ -1,7 +1,7 @@
 #pragma once
-// Division of a mesh into charts with nearly isometric maps: a partition into few regions, each
-// flattened with a free outline, and halved where that distorts it too much or makes it overlap
-// itself.
+// Division of a mesh into charts with nearly isometric maps: shells that lie flat are charts as
+// they are, all others are partitioned into few regions, each flattened with a free outline, and
+// halved where that distorts it too much or makes it overlap itself.
 #include <cstdint>
 #include <stop_token>
 #include <vector>

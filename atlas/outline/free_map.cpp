@@ -40,10 +40,7 @@ std::vector<bool> all_but_one(const Patch& patch) {
 class Descent {
   public:
     Descent(const Patch& patch, const WeightedEdges& edges, Field& places)
-        : edges_(edges),
-          places_(places),
-          energy_(patch),
-          laplacian_(edges, all_but_one(patch)) {}
+        : edges_(edges), places_(places), energy_(patch), laplacian_(edges, all_but_one(patch)) {}
 
     int run(const FreeMapOptions& options) {
         value_ = energy_(places_);

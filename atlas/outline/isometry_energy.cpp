@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "atlas/outline/free_map.h"
 #include "atlas/chart/stretch.h"
+#include "atlas/outline/free_map.h"
 
 namespace burl {
 namespace {
@@ -29,8 +29,7 @@ IsometryEnergy::IsometryEnergy(const Patch& patch) {
         const double x1 = std::max(glm::length(e1), least);
         const double twice = glm::length(glm::cross(e1, e2));
         const double weight = twice * (patch.faces[t] == not_in_mesh ? fan_weight : 1.0);
-        triangles_.push_back(
-            {v, x1, glm::dot(e1, e2) / x1, std::max(twice / x1, least), weight});
+        triangles_.push_back({v, x1, glm::dot(e1, e2) / x1, std::max(twice / x1, least), weight});
         sum += weight;
     }
     const double floor = least_weight * sum / double(triangles_.size());

@@ -92,8 +92,7 @@ void place_unmapped(const Mesh& mesh, const FlatCharts& flat, Atlas& atlas) {
 
 std::optional<Atlas> layout_charts(const Mesh& mesh, const Connectivity& connectivity,
                                    const AtlasOptions& options, const std::stop_token& stop) {
-    FlatCharts flat =
-        divide_into_charts(in_unit_frame(mesh), connectivity, {.stop = stop});
+    FlatCharts flat = divide_into_charts(in_unit_frame(mesh), connectivity, {.stop = stop});
     if (stop.stop_requested()) return std::nullopt;
     std::vector<Outline> outlines;
     for (FlatChart& chart : flat.charts) {

@@ -29,7 +29,8 @@ Row shifted_down(const Row& row, std::uint32_t by) {
     const std::uint32_t skip = by / 64, bits = by % 64;
     Row result{};
     for (std::uint32_t i = 0; i + skip < words; ++i) {
-        const std::uint64_t low = row[i + skip], high = i + skip + 1 < words ? row[i + skip + 1] : 0;
+        const std::uint64_t low = row[i + skip],
+                            high = i + skip + 1 < words ? row[i + skip + 1] : 0;
         result[i] = bits == 0 ? low : low >> bits | high << (64 - bits);
     }
     return result;

@@ -43,7 +43,8 @@ Mesh cap(double angle, std::uint32_t rings) {
             for (std::uint32_t k = 0; k < r; ++k) {
                 const std::uint32_t out = side * r + k, in = side * (r - 1) + k;
                 triangles.push_back({at(r - 1, in), at(r, out), at(r, out + 1)});
-                if (k + 1 < r) triangles.push_back({at(r - 1, in), at(r, out + 1), at(r - 1, in + 1)});
+                if (k + 1 < r)
+                    triangles.push_back({at(r - 1, in), at(r, out + 1), at(r - 1, in + 1)});
             }
     return made::mesh_of(positions, triangles);
 }

@@ -27,7 +27,8 @@ Atlas laid_out(const Mesh& mesh, std::uint32_t size) {
 /// The singular values of a triangle's map from the surface to texels, larger first.
 Vec2d singular_values(const Mesh& mesh, const Atlas& atlas, std::size_t t) {
     const auto& [i, j, k] = mesh.triangles[t];
-    const Vec3d a = mesh.positions[j] - mesh.positions[i], b = mesh.positions[k] - mesh.positions[i];
+    const Vec3d a = mesh.positions[j] - mesh.positions[i],
+                b = mesh.positions[k] - mesh.positions[i];
     const Vec3d u = glm::normalize(a), v = glm::normalize(b - glm::dot(b, u) * u);
     const auto& c = atlas.corners[t];
     const Vec2d p = (c[1] - c[0]) / glm::dot(a, u);
@@ -68,15 +69,35 @@ TEST(ChartAtlas, MapsAreNearlyIsometricAndOneToOne) {
     }
 }
 
-TEST(ChartAtlas, FlatFacesKeepTheirLengthsExactly) {
-    const Mesh mesh = made::box(4);
+TEST(ChartAtlas, FlatSheetsAreOneChartAndKeepTheirLengths) {
+    Mesh mesh = made::grid(9, 7);
+    for (Vec3d& p : mesh.positions) p = {0.6 * p.x, p.y, 0.8 * p.x};
     const Atlas atlas = laid_out(mesh, 512);
+    EXPECT_EQ(atlas.chart_count, 1u);
     const double scale = singular_values(mesh, atlas, 0).x;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Vec2d s = singular_values(mesh, atlas, t);
         EXPECT_NEAR(s.x, scale, 1e-5 * scale);
         EXPECT_NEAR(s.y, scale, 1e-5 * scale);
     }
+}
+
+TEST(ChartAtlas, ShellsThatLieFlatAreOneChartEach) {
+    // A closed ball beside a half tube: the tube is one chart, since nothing need be cut.
+    Mesh mesh = made::ball(2);
+    const auto ball = std::uint32_t(mesh.triangles.size());
+    const Mesh sheet = made::grid(8, 8);
+    std::vector<Vec3d> positions = mesh.positions;
+    std::vector<Triangle> triangles = mesh.triangles;
+    for (const Vec3d& p : sheet.positions)
+        positions.push_back({3.0 + std::cos(3.0 * p.x), std::sin(3.0 * p.x), p.y});
+    for (Triangle t : sheet.triangles) {
+        for (std::uint32_t& v : t) v += std::uint32_t(mesh.positions.size());
+        triangles.push_back(t);
+    }
+    const Atlas atlas = laid_out(made::mesh_of(positions, triangles), 256);
+    for (std::size_t t = ball; t < triangles.size(); ++t)
+        EXPECT_EQ(atlas.charts[t], atlas.charts[ball]);
 }
 
 TEST(ChartAtlas, NeitherScaleNorPlaceNorThreadsMatter) {
@@ -130,8 +151,7 @@ TEST(ChartAtlas, StopsWhereItIsAsked) {
     std::stop_source source;
     source.request_stop();
     const Mesh mesh = made::ball(3);
-    EXPECT_FALSE(
-        layout_charts(mesh, build_connectivity(mesh), charts_of(256), source.get_token()));
+    EXPECT_FALSE(layout_charts(mesh, build_connectivity(mesh), charts_of(256), source.get_token()));
 }
 
 }  // namespace

@@ -79,9 +79,8 @@ TEST(PackOutlines, OutlinesStayApartByTheGutter) {
                     if (j == i) continue;
                     EXPECT_FALSE(is_inside(q, at[j]));
                     for (std::size_t k = 0; k < at[j].size(); ++k)
-                        EXPECT_GE(
-                            distance_to_edge(q, at[j][k], at[j][(k + 1) % at[j].size()]),
-                            2.0 * half * 0.95);
+                        EXPECT_GE(distance_to_edge(q, at[j][k], at[j][(k + 1) % at[j].size()]),
+                                  2.0 * half * 0.95);
                 }
             }
     }
