@@ -6,25 +6,17 @@ namespace burl {
 namespace {
 
 constexpr std::uint32_t no_map = 0xffffffffu;
-/// Distance, in steps from texel to texel, within which two maps show the same point.
-constexpr double same_point = 1e-6;
-
-/// Whether two maps show the same point at a texel.
-bool agree(const TexelMap& a, const TexelMap& b, std::uint32_t x, std::uint32_t y) {
-    const Vec3d apart = a(x, y) - b(x, y);
-    const double step = glm::dot(a.step_x, a.step_x) + glm::dot(a.step_y, a.step_y);
-    return glm::dot(apart, apart) <= same_point * same_point * step;
-}
-
 /// Fills the texels of gaps, row by row.
 class GutterFiller {
   public:
     GutterFiller(const ChartedMesh& mesh, const EdgeNeighbours& neighbours,
-                 std::span<const ChartEdge> edges, const TexelBox& box, AtOpenEdge at_open_edge)
+                 std::span<const ChartEdge> edges, const TexelBox& box,
+                 const GutterOptions& options)
         : mesh_(mesh),
           edges_(edges),
           box_(box),
-          unfolding_(mesh.triangles, mesh.positions, neighbours, at_open_edge),
+          own_plane_(options.own_plane),
+          unfolding_(mesh.triangles, mesh.positions, neighbours, options.at_open_edge),
           first_tile_(edges.size(), no_edge) {}
 
     /// Fills a gap; `nearest` are the numbers of its texels' edges.
@@ -54,14 +46,16 @@ class GutterFiller {
         const ChartEdge& border = edges_[edge];
         std::uint32_t& first = first_tile_[edge];
         if (first == no_edge) first = unfolding_.begin(border.edge, mesh_.corners[border.edge / 3]);
-        return unfolding_.walk(first, border.nearest(q), q).tile;
+        const Vec2d from = border.nearest(q);
+        if (glm::distance(from, q) <= own_plane_) return first;
+        return unfolding_.walk(first, from, q).tile;
     }
 
     /// Whether the last run may go on with a texel of another tile.
     bool joins(std::uint32_t tile, std::uint32_t x, std::uint32_t y) const {
         const std::uint32_t map = gutter_.runs.back().map;
         if (gutter_.triangles[map] != unfolding_.origin(tile) / 3) return false;
-        return agree(gutter_.maps[map], made_map(tile), x, y);
+        return same_point(gutter_.maps[map], made_map(tile), x, y);
     }
 
     std::uint32_t map_of(std::uint32_t tile) {
@@ -85,6 +79,7 @@ class GutterFiller {
     const ChartedMesh& mesh_;
     std::span<const ChartEdge> edges_;
     TexelBox box_;
+    double own_plane_;
     Unfolding unfolding_;
     std::vector<std::uint32_t> first_tile_;   ///< first tile of each edge
     std::vector<std::uint32_t> map_of_tile_;  ///< no_map for tiles without a run
@@ -93,11 +88,18 @@ class GutterFiller {
 
 }  // namespace
 
+bool same_point(const TexelMap& a, const TexelMap& b, std::uint32_t x, std::uint32_t y) {
+    constexpr double least_steps = 1e-6;
+    const Vec3d apart = a(x, y) - b(x, y);
+    const double step = glm::dot(a.step_x, a.step_x) + glm::dot(a.step_y, a.step_y);
+    return glm::dot(apart, apart) <= least_steps * least_steps * step;
+}
+
 Gutter fill_gutter(const ChartedMesh& mesh, const EdgeNeighbours& neighbours,
                    std::span<const ChartEdge> edges, std::span<const TexelGap> gaps,
                    const TexelBox& box, const GutterOptions& options) {
     const std::vector<std::uint32_t> nearest = nearest_edges(edges, gaps, options.reach);
-    GutterFiller filler(mesh, neighbours, edges, box, options.at_open_edge);
+    GutterFiller filler(mesh, neighbours, edges, box, options);
     std::size_t first = 0;
     for (const TexelGap& gap : gaps) {
         filler.fill(gap, std::span(nearest).subspan(first, gap.count));

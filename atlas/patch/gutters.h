@@ -34,8 +34,14 @@ struct Gutter {
 /// How gutters are filled.
 struct GutterOptions {
     double reach = 1.0;  ///< distance from the border, in texels, up to which texels are filled
+    /// The distance up to which texels go on with the plane of the border's triangle, so that
+    /// bilinear lookups on the chart's side of a crease mix points of that side only.
+    double own_plane = 0.0;
     AtOpenEdge at_open_edge = AtOpenEdge::end;
 };
+
+/// Whether two maps show the same point at a texel, within 10^-6 of a step from texel to texel.
+bool same_point(const TexelMap& a, const TexelMap& b, std::uint32_t x, std::uint32_t y);
 
 /// Fills the gaps' texels from the border edges given; texels beyond reach stay in no run. Where
 /// a walk ends at an open edge, its last triangle's plane goes on. Time is linear in the texels and

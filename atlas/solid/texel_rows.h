@@ -1,7 +1,7 @@
 #pragma once
 // Scan conversion of a triangle or convex polygon in texel coordinates: the extent of its slice
-// around a texel row. Edges are cut from the same end whichever triangle asks, so neighbours get the same numbers and
-// leave neither gap nor overlap.
+// around a texel row. Edges are cut from the same end whichever triangle asks, so neighbours get
+// the same numbers and leave neither gap nor overlap.
 #include <algorithm>
 #include <array>
 #include <cmath>
