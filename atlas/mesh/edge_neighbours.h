@@ -21,14 +21,15 @@ struct TriangleEdge {
     }
 };
 
-/// The triangles round every point, for triangles that outlive it.
+/// The triangles round every point; triangles and positions must outlive it.
 class EdgeNeighbours {
   public:
-    EdgeNeighbours(std::span<const Triangle> triangles, std::size_t points);
+    EdgeNeighbours(std::span<const Triangle> triangles, std::span<const Vec3d> positions);
 
     /// The same edge as numbered by the triangle on its other side, which runs along it the other
-    /// way; none where the edge is open, has more than two triangles, or two that run along it the
-    /// same way.
+    /// way; none where the edge is open, has a third triangle, or two that run along it the same
+    /// way. Triangles on the same points count once, and the first of them is taken; triangles
+    /// without area count only where there are no others.
     std::uint32_t across(std::uint32_t edge) const;
 
     /// Calls visit(other) for every triangle's edge that runs from the end of `edge` to its start.
@@ -58,7 +59,13 @@ class EdgeNeighbours {
             }
     }
 
+    std::uint32_t third_point(std::uint32_t edge) const {
+        return triangles_[edge / 3][(edge % 3 + 2) % 3];
+    }
+    bool has_area(std::uint32_t triangle) const;
+
     std::span<const Triangle> triangles_;
+    std::span<const Vec3d> positions_;
     std::vector<std::uint32_t> begin_, list_;  ///< triangles sorted by point
 };
 

@@ -1,7 +1,6 @@
 #include "atlas/patch/block_gutters.h"
 
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
 #include <numbers>
 
 #include "atlas/base/image.h"
@@ -10,18 +9,11 @@
 namespace burl {
 namespace {
 
-AtOpenEdge mode() {
-    const char* m = std::getenv("GUT_OPEN");
-    return m && m[0] == 'm' ? AtOpenEdge::mirror : AtOpenEdge::end;
-}
-double own() {
-    const char* m = std::getenv("GUT_OWN");
-    return m ? std::atof(m) : 0.0;
-}
-double plane_own() {
-    const char* m = std::getenv("GUT_PLANE");
-    return m ? std::atof(m) : 1.5;
-}
+/// Distance from a planar patch's border, in texels, within which bilinear lookups may read.
+constexpr double lookup_reach = 1.5;
+/// Gutters beyond a planar patch's border that are filled along the surface; farther out the plane
+/// goes on.
+constexpr double filled_gutters = 2.0;
 
 TexelBox box_of(const PatchBlock& b) {
     return {b.x, b.y, b.width, b.height};
@@ -95,17 +87,17 @@ Gutter rectangle_gutter(const ChartedMesh& mesh, const EdgeNeighbours& neighbour
     const double reach = block.gutter * std::numbers::sqrt2 + 0.5;
     return fill_gutter(mesh, neighbours, edges_on_sides(mesh, triangles, block),
                        gaps_of_rectangle(block), box_of(block),
-                       {.reach = reach, .own_plane = own(), .at_open_edge = mode()});
+                       {.reach = reach, .at_open_edge = AtOpenEdge::mirror});
 }
 
 Gutter plane_gutter(const ChartedMesh& mesh, const EdgeNeighbours& neighbours,
                     std::span<const std::uint32_t> triangles, const PatchBlock& block,
                     const TexelMap& plane) {
-    if (plane_own() > 1000) return {};
-    const double reach = 2.0 * block.gutter + 0.5;
     Gutter gutter = fill_gutter(mesh, neighbours, chart_edges(mesh, neighbours, triangles),
                                 gaps_of_outline(mesh, triangles, block), box_of(block),
-                                {.reach = reach, .own_plane = plane_own(), .at_open_edge = mode()});
+                                {.reach = filled_gutters * block.gutter,
+                                 .own_plane = lookup_reach,
+                                 .at_open_edge = AtOpenEdge::mirror});
     std::erase_if(gutter.runs, [&](const GutterRun& run) {
         const TexelMap& map = gutter.maps[run.map];
         return same_point(map, plane, run.x, run.y) &&

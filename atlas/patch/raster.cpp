@@ -89,7 +89,7 @@ class Rasterizer {
         const Mesh& mesh = atlas_.refined.mesh;
         const ChartedMesh charted{mesh.triangles, positions_, atlas_.atlas.corners,
                                   atlas_.atlas.charts};
-        const EdgeNeighbours neighbours(mesh.triangles, mesh.positions.size());
+        const EdgeNeighbours neighbours(mesh.triangles, positions_);
         gutters_.resize(atlas_.patches.size());
         for (std::size_t p = 0; p < gutters_.size(); ++p) {
             const PatchBlock& block = atlas_.layout.blocks[p];

@@ -20,8 +20,7 @@ struct Walked {
 struct Walker {
     Mesh mesh;
     EdgeNeighbours neighbours;
-    explicit Walker(Mesh m)
-        : mesh(std::move(m)), neighbours(mesh.triangles, mesh.positions.size()) {}
+    explicit Walker(Mesh m) : mesh(std::move(m)), neighbours(mesh.triangles, mesh.positions) {}
 
     Walked operator()(std::uint32_t edge, const std::array<Vec2d, 3>& places, const Vec2d& from,
                       const Vec2d& to, AtOpenEdge at_open_edge = AtOpenEdge::end) const {
@@ -239,12 +238,27 @@ TEST(Unfolding, TrianglesWithoutAreaAreWalkedOver) {
     }
 }
 
+TEST(EdgeNeighbours, CountATrianglesCopiesOnce) {
+    // Two triangles on an edge, a copy of each, and one without area.
+    const std::vector<Vec3d> points{{0, 0, 0}, {1, 0, 0},   {0, 1, 0},
+                                    {1, 1, 0}, {.5, .5, 0}, {1, 1, 1}};
+    std::vector<Triangle> triangles{{0, 1, 2}, {1, 3, 2}, {0, 1, 2}, {3, 2, 1}, {1, 4, 2}};
+    EXPECT_EQ(EdgeNeighbours(triangles, points).across(1), 5u);
+    triangles.erase(triangles.begin() + 1);  // the copy of the second takes its place
+    EXPECT_EQ(EdgeNeighbours(triangles, points).across(1), 7u);
+    triangles.erase(triangles.begin() + 2);  // none with area is left
+    EXPECT_EQ(EdgeNeighbours(triangles, points).across(1), 8u);
+    triangles.push_back({1, 3, 2});
+    triangles.push_back({1, 5, 2});
+    EXPECT_EQ(EdgeNeighbours(triangles, points).across(1), TriangleEdge::none);
+}
+
 TEST(EdgeNeighbours, AgreeWithBruteForce) {
     for (const auto& [name, mesh] : made::all()) {
         SCOPED_TRACE(name);
         if (name == "nasty") continue;  // which of several triangles meet is not defined
         const Connectivity expected = made::neighbours_by_brute_force(mesh);
-        const EdgeNeighbours neighbours(mesh.triangles, mesh.positions.size());
+        const EdgeNeighbours neighbours(mesh.triangles, mesh.positions);
         for (std::uint32_t e = 0; e < 3 * mesh.triangles.size(); ++e) {
             const std::uint32_t over = neighbours.across(e);
             const std::int32_t n = over == TriangleEdge::none ? -1 : std::int32_t(over / 3);

@@ -21,7 +21,7 @@ struct Chart {
     /// `place` gives a corner's place from triangle and point, `takes` the chart's triangles.
     template <class Place, class Takes>
     Chart(Mesh m, const Place& place, const Takes& takes)
-        : mesh(std::move(m)), neighbours(mesh.triangles, mesh.positions.size()) {
+        : mesh(std::move(m)), neighbours(mesh.triangles, mesh.positions) {
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             std::array<Vec2d, 3> at;
             for (std::size_t k = 0; k < 3; ++k) at[k] = place(t, mesh.triangles[t][k]);
@@ -172,20 +172,6 @@ TEST(Gutters, ChartEdgesAreTheBordersOfCharts) {
     EXPECT_EQ(found, expected);
 }
 
-/// Whether a point lies on the mesh, within `far`.
-bool lies_on(const Mesh& mesh, const Vec3d& q, double far) {
-    for (const Triangle& t : mesh.triangles) {
-        const Vec3d a = mesh.positions[t[0]], u = mesh.positions[t[1]] - a,
-                    v = mesh.positions[t[2]] - a;
-        const Vec3d n = glm::cross(u, v), w = q - a;
-        if (std::abs(glm::dot(w, glm::normalize(n))) > far) continue;
-        const double i = glm::dot(glm::cross(w, v), n) / glm::dot(n, n),
-                     j = glm::dot(glm::cross(u, w), n) / glm::dot(n, n);
-        if (i > -1e-9 && j > -1e-9 && i + j < 1.0 + 1e-9) return true;
-    }
-    return false;
-}
-
 TEST(Gutters, OfASphereLieOnTheMesh) {
     const Mesh ball = made::ball(4);
     const Chart chart(
@@ -206,7 +192,7 @@ TEST(Gutters, OfASphereLieOnTheMesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3d> points;
     const std::size_t filled = visit_texels(
         gutter, [&](std::uint32_t x, std::uint32_t y, const Vec3d& point, std::uint32_t) {
-            EXPECT_TRUE(lies_on(ball, point, 1e-12)) << x << ", " << y;
+            EXPECT_TRUE(made::lies_on(ball, point, 1e-12)) << x << ", " << y;
             lowest = std::min(lowest, point.z);
             points[{x, y}] = point;
         });
