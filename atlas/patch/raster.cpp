@@ -1,8 +1,11 @@
-// Rasterising the patch atlas. All blocks are visited twice, to count spans and to fill them: the
-// result is large, and so takes no more memory than it needs.
+// Rasterising the patch atlas: the spans of every block in parallel, then all of them sorted into
+// rows. The result is large, and so takes no more memory than it needs.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include <tbb/parallel_for.h>
 
 #include "atlas/base/image.h"
 #include "atlas/patch/atlas.h"
@@ -45,6 +48,19 @@ void visit_plane(const PatchBlock& b, std::span<const GutterRun> runs, const Vis
     }
 }
 
+/// A span of row y.
+struct RowSpan {
+    std::uint32_t y = 0;
+    Span span{};
+};
+
+/// The spans of one block. Maps of `inner` from the number of the mesh's triangles on are the
+/// patch's own: its plane, or the fans of its holes.
+struct BlockSpans {
+    std::vector<RowSpan> inner;
+    Gutter gutter;
+};
+
 /// Makes the spans and maps of an atlas's blocks.
 class Rasterizer {
   public:
@@ -54,7 +70,7 @@ class Rasterizer {
     SolidAtlas run() {
         solid_.size = atlas_.atlas.options.size;
         sort_triangles();
-        fill_gutters();
+        find_spans();
         count_spans();
         map_mesh_triangles();
         for (std::size_t p = 0; p < atlas_.patches.size(); ++p) fill_block(p);
@@ -66,11 +82,6 @@ class Rasterizer {
     }
 
   private:
-    /// First numbers of a block's maps beyond the mesh's.
-    struct MapNumbers {
-        std::uint32_t fans = 0, plane = 0, gutter = 0;
-    };
-
     void sort_triangles() {
         const auto count = std::uint32_t(atlas_.atlas.corners.size());
         first_.assign(atlas_.patches.size() + 1, 0);
@@ -84,57 +95,61 @@ class Rasterizer {
                 triangles_[next[p]++] = t;
     }
 
-    /// Fills the gutters of all blocks. Their maps are numbered from 0 in each.
-    void fill_gutters() {
+    void find_spans() {
         const Mesh& mesh = atlas_.refined.mesh;
         const ChartedMesh charted{mesh.triangles, positions_, atlas_.atlas.corners,
                                   atlas_.atlas.charts};
         const EdgeNeighbours neighbours(mesh.triangles, positions_);
-        gutters_.resize(atlas_.patches.size());
-        for (std::size_t p = 0; p < gutters_.size(); ++p) {
+        blocks_.resize(atlas_.patches.size());
+        tbb::parallel_for(std::size_t(0), blocks_.size(), [&](std::size_t p) {
             const PatchBlock& block = atlas_.layout.blocks[p];
             const std::span<const std::uint32_t> own = triangles_of(p);
-            gutters_[p] = atlas_.patches[p].plane
-                              ? plane_gutter(charted, neighbours, own, block, plane_map(p))
-                              : rectangle_gutter(charted, neighbours, own, block);
-        }
+            blocks_[p] =
+                atlas_.patches[p].plane
+                    ? plane_spans(block,
+                                  plane_gutter(charted, neighbours, own, block, plane_map(p)))
+                    : BlockSpans{inner_spans(p), rectangle_gutter(charted, neighbours, own, block)};
+        });
+    }
+
+    std::uint32_t mesh_maps() const {
+        return static_cast<std::uint32_t>(atlas_.atlas.corners.size());
     }
 
     std::span<const std::uint32_t> triangles_of(std::size_t p) const {
         return {triangles_.data() + first_[p], first_[p + 1] - first_[p]};
     }
 
-    /// Calls visit(row, span) for the block's spans. Their maps' numbers are those of `numbers`.
-    template <class Visit>
-    void visit_spans(std::size_t p, const MapNumbers& numbers, const Visit& visit) const {
+    BlockSpans plane_spans(const PatchBlock& block, Gutter gutter) const {
+        BlockSpans spans;
+        visit_plane(block, gutter.runs, [&](std::uint32_t y, std::uint32_t x, std::uint32_t count) {
+            spans.inner.push_back({y, {x, count, mesh_maps()}});
+        });
+        spans.gutter = std::move(gutter);
+        return spans;
+    }
+
+    std::vector<RowSpan> inner_spans(std::size_t p) const {
         const PatchBlock& b = atlas_.layout.blocks[p];
-        for (const GutterRun& run : gutters_[p].runs)
-            visit(run.y, Span{run.x, run.count, numbers.gutter + run.map});
-        if (atlas_.patches[p].plane) {
-            visit_plane(b, gutters_[p].runs,
-                        [&](std::uint32_t y, std::uint32_t x, std::uint32_t count) {
-                            visit(y, Span{x, count, numbers.plane});
-                        });
-            return;
-        }
-        const Image<std::uint32_t> inner = inner_owners(p, numbers.fans);
         const std::uint32_t x = b.x + b.gutter, y = b.y + b.gutter;
+        const Image<std::uint32_t> inner = inner_owners(p);
+        std::vector<RowSpan> spans;
         for (std::uint32_t row = 0; row < inner.height(); ++row)
             visit_runs(inner.row(row), [&](std::uint32_t first, std::uint32_t count, auto owner) {
-                visit(y + row, Span{x + first, count, owner});
+                spans.push_back({y + row, {x + first, count, owner}});
             });
+        return spans;
     }
 
     /// Sets the begins of all rows, and makes room for spans and maps.
     void count_spans() {
         std::vector<std::size_t> counts(solid_.size, 0);
-        const std::size_t mesh_maps = atlas_.atlas.corners.size();
         std::size_t more_maps = 0;
-        for (std::size_t p = 0; p < atlas_.patches.size(); ++p) {
+        for (std::size_t p = 0; p < blocks_.size(); ++p) {
             more_maps += atlas_.patches[p].plane ? 1 : atlas_.patches[p].fans.size();
-            more_maps += gutters_[p].maps.size();
-            visit_spans(p, {.fans = std::uint32_t(mesh_maps)},
-                        [&](std::uint32_t y, const Span&) { ++counts[y]; });
+            more_maps += blocks_[p].gutter.maps.size();
+            for (const RowSpan& span : blocks_[p].inner) ++counts[span.y];
+            for (const GutterRun& run : blocks_[p].gutter.runs) ++counts[run.y];
         }
         solid_.row_begin.reserve(solid_.size + 1);
         solid_.row_begin.push_back(0);
@@ -142,7 +157,7 @@ class Rasterizer {
             solid_.row_begin.push_back(solid_.row_begin.back() + count);
         solid_.spans.resize(solid_.row_begin.back());
         filled_.assign(solid_.row_begin.begin(), solid_.row_begin.end() - 1);
-        solid_.maps.reserve(mesh_maps + more_maps);
+        solid_.maps.reserve(mesh_maps() + more_maps);
         solid_.turned.reserve(more_maps);
     }
 
@@ -191,9 +206,8 @@ class Rasterizer {
         }
     }
 
-    /// The number of the map at each texel of the inner rectangle; the maps of the patch's fans
-    /// begin at `fan_map`.
-    Image<std::uint32_t> inner_owners(std::size_t p, std::uint32_t fan_map) const {
+    /// The number of the map at each texel of the inner rectangle, as in BlockSpans::inner.
+    Image<std::uint32_t> inner_owners(std::size_t p) const {
         const PatchBlock& b = atlas_.layout.blocks[p];
         const std::uint32_t columns = b.columns() + 1, rows = b.rows() + 1;
         const Vec2d low(b.x + b.gutter, b.y + b.gutter);
@@ -209,8 +223,8 @@ class Rasterizer {
                     texel = std::min(texel, map);
             });
         };
-        for (std::uint32_t i = first_[p]; i < first_[p + 1]; ++i)
-            show(atlas_.atlas.corners[triangles_[i]], triangles_[i]);
+        for (const std::uint32_t t : triangles_of(p)) show(atlas_.atlas.corners[t], t);
+        std::uint32_t fan_map = mesh_maps();
         for (const PlacedTriangle& fan : atlas_.patches[p].fans) show(fan.places, fan_map++);
         fill_missed(owner);
         return owner;
@@ -239,16 +253,21 @@ class Rasterizer {
     std::uint32_t next_map() const { return static_cast<std::uint32_t>(solid_.maps.size()); }
 
     void fill_block(std::size_t p) {
-        MapNumbers numbers{.fans = next_map(), .plane = next_map()};
+        const BlockSpans block = std::move(blocks_[p]);
+        const std::uint32_t first_own = next_map();
         if (atlas_.patches[p].plane)
             add_map(plane_map(p), atlas_.patches[p].triangle);
         else
             map_fans(p);
-        numbers.gutter = next_map();
-        for (std::size_t i = 0; i < gutters_[p].maps.size(); ++i)
-            add_map(gutters_[p].maps[i], gutters_[p].triangles[i]);
-        visit_spans(p, numbers, [&](std::uint32_t y, const Span& span) { add_span(y, span); });
-        gutters_[p] = {};
+        for (auto [y, span] : block.inner) {
+            if (span.map >= mesh_maps()) span.map += first_own - mesh_maps();
+            add_span(y, span);
+        }
+        const std::uint32_t first = next_map();
+        for (std::size_t i = 0; i < block.gutter.maps.size(); ++i)
+            add_map(block.gutter.maps[i], block.gutter.triangles[i]);
+        for (const GutterRun& run : block.gutter.runs)
+            add_span(run.y, {run.x, run.count, first + run.map});
     }
 
     TexelMap plane_map(std::size_t p) const {
@@ -262,7 +281,7 @@ class Rasterizer {
     std::span<const Vec3d> positions_;
     std::vector<Vec4d> hubs_;  ///< sum of the points on each hub's rim (xyz), and their number (w)
     SolidAtlas solid_;
-    std::vector<Gutter> gutters_;                   ///< filled gutters of the blocks
+    std::vector<BlockSpans> blocks_;                ///< spans of each patch's block
     std::vector<std::size_t> filled_;               ///< place of the next span of each row
     std::vector<std::uint32_t> first_, triangles_;  ///< triangles sorted by patch
 };
