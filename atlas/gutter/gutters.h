@@ -1,15 +1,15 @@
 #pragma once
 // Texels outside charts, filled with the surface that goes on beyond the charts' borders. Each
-// shows the point that a straight walk over the mesh reaches (atlas/chart/unfolding.h) which leaves
-// the nearest border edge where it is nearest, in the direction and over the length that the map of
-// the edge's triangle gives the way from there to the texel. While texels walk out of one edge into
-// one unfolded triangle they share an affine map, so gutters are spans as well.
+// shows the point that a straight walk over the mesh reaches (atlas/gutter/unfolding.h) which
+// leaves the nearest border edge where it is nearest, in the direction and over the length that the
+// map of the edge's triangle gives the way from there to the texel. While texels walk out of one
+// edge into one unfolded triangle they share an affine map, so gutters are spans as well.
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "atlas/chart/unfolding.h"
-#include "atlas/patch/border_bands.h"
+#include "atlas/gutter/border_bands.h"
+#include "atlas/gutter/unfolding.h"
 #include "atlas/solid/solid_atlas.h"
 
 namespace burl {
@@ -38,6 +38,7 @@ struct GutterOptions {
     /// bilinear lookups on the chart's side of a crease mix points of that side only.
     double own_plane = 0.0;
     AtOpenEdge at_open_edge = AtOpenEdge::end;
+    bool leaves_open = false;  ///< whether texels stay in no run whose walk an open edge ends
 };
 
 /// Whether two maps show the same point at a texel, within 10^-6 of a step from texel to texel.

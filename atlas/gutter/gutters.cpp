@@ -1,4 +1,4 @@
-#include "atlas/patch/gutters.h"
+#include "atlas/gutter/gutters.h"
 
 #include <algorithm>
 
@@ -15,7 +15,7 @@ class GutterFiller {
         : mesh_(mesh),
           edges_(edges),
           box_(box),
-          own_plane_(options.own_plane),
+          options_(options),
           unfolding_(mesh.triangles, mesh.positions, neighbours, options.at_open_edge),
           first_tile_(edges.size(), no_edge) {}
 
@@ -24,11 +24,12 @@ class GutterFiller {
         std::uint32_t run_tile = no_edge;
         for (std::uint32_t i = 0; i < gap.count; ++i) {
             const std::uint32_t x = gap.x + i;
-            if (nearest[i] == no_edge) {
+            const std::uint32_t tile =
+                nearest[i] == no_edge ? no_edge : tile_at(nearest[i], {x + 0.5, gap.y + 0.5});
+            if (tile == no_edge) {
                 run_tile = no_edge;
                 continue;
             }
-            const std::uint32_t tile = tile_at(nearest[i], {x + 0.5, gap.y + 0.5});
             if (run_tile != no_edge && (tile == run_tile || joins(tile, x, gap.y))) {
                 ++gutter_.runs.back().count;
                 continue;
@@ -41,14 +42,15 @@ class GutterFiller {
     Gutter take() { return std::move(gutter_); }
 
   private:
-    /// The unfolded triangle that the texel centre q shows.
+    /// The unfolded triangle that the texel centre q shows, or no_edge.
     std::uint32_t tile_at(std::uint32_t edge, const Vec2d& q) {
         const ChartEdge& border = edges_[edge];
         std::uint32_t& first = first_tile_[edge];
         if (first == no_edge) first = unfolding_.begin(border.edge, mesh_.corners[border.edge / 3]);
         const Vec2d from = border.nearest(q);
-        if (glm::distance(from, q) <= own_plane_) return first;
-        return unfolding_.walk(first, from, q).tile;
+        if (glm::distance(from, q) <= options_.own_plane) return first;
+        const Walk walk = unfolding_.walk(first, from, q);
+        return walk.arrived || !options_.leaves_open ? walk.tile : no_edge;
     }
 
     /// Whether the last run may go on with a texel of another tile.
@@ -79,7 +81,7 @@ class GutterFiller {
     const ChartedMesh& mesh_;
     std::span<const ChartEdge> edges_;
     TexelBox box_;
-    double own_plane_;
+    GutterOptions options_;
     Unfolding unfolding_;
     std::vector<std::uint32_t> first_tile_;   ///< first tile of each edge
     std::vector<std::uint32_t> map_of_tile_;  ///< no_map for tiles without a run

@@ -1,4 +1,4 @@
-#include "atlas/patch/border_bands.h"
+#include "atlas/gutter/border_bands.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "atlas/solid/texel_rows.h"
 
@@ -181,7 +182,10 @@ Vec2d ChartEdge::nearest(const Vec2d& q) const {
 
 ChartEdge chart_edge(const ChartedMesh& mesh, std::uint32_t edge) {
     const std::array<Vec2d, 3>& corners = mesh.corners[edge / 3];
-    return {edge, corners[edge % 3], corners[next_corner(edge)]};
+    const bool mirrored = cross(corners[1] - corners[0], corners[2] - corners[0]) < 0.0;
+    ChartEdge found{edge, corners[edge % 3], corners[next_corner(edge)]};
+    if (mirrored) std::swap(found.a, found.b);
+    return found;
 }
 
 std::vector<ChartEdge> chart_edges(const ChartedMesh& mesh, const EdgeNeighbours& neighbours,

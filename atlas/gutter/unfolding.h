@@ -42,7 +42,7 @@ class Unfolding {
           neighbours_(neighbours),
           at_open_edge_(at_open_edge) {}
 
-    /// Makes a triangle walkable from: `places` are its corners in the plane, counter-clockwise;
+    /// Makes a triangle walkable from: `places` are its corners in the plane, either way round;
     /// walks will leave it by its edge 3t+k. Returns its tile. If the triangle has no area here or
     /// there, walks end at the edge.
     std::uint32_t begin(std::uint32_t edge, const std::array<Vec2d, 3>& places);

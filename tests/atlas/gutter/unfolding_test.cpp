@@ -1,6 +1,6 @@
 // Straight walks against closed forms: lines of a plane, of an unrolled cylinder, of a cone's
 // sector and of a cube's net, whatever the triangles.
-#include "atlas/chart/unfolding.h"
+#include "atlas/gutter/unfolding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Gutters of charts with any outline: against the analytic continuation of a developable surface,
 // against the mesh itself, and against nearest edges by brute force.
-#include "atlas/patch/gutters.h"
+#include "atlas/gutter/gutters.h"
 
 #include <gtest/gtest.h>
 

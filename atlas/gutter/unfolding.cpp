@@ -1,7 +1,8 @@
-#include "atlas/chart/unfolding.h"
+#include "atlas/gutter/unfolding.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burl {
 namespace {
@@ -17,7 +18,7 @@ glm::dmat2 quarter_turn(const std::array<Vec2d, 3>& places, const std::array<Vec
     const Vec3d along_u = points[1] - points[0], along_v = points[2] - points[0];
     const double determinant = cross(u, v);
     const double sine = glm::length(glm::cross(along_u, along_v));
-    if (!(determinant > least_sine * glm::length(u) * glm::length(v)) ||
+    if (!(std::abs(determinant) > least_sine * glm::length(u) * glm::length(v)) ||
         !(sine > least_sine * glm::length(along_u) * glm::length(along_v)))
         return glm::dmat2(0.0);
     const Vec3d x = (along_u * v.y - along_v * u.y) / determinant;
@@ -39,7 +40,8 @@ std::uint32_t Unfolding::begin(std::uint32_t edge, const std::array<Vec2d, 3>& p
     tile.start = static_cast<std::uint32_t>(starts_.size());
     // Walks leave by the right edge, as if they had come in by the one before.
     tile.right = static_cast<std::uint8_t>(edge % 3);
-    tile.apex = static_cast<std::uint8_t>((edge + 1 - edge / 3 * 3) % 3);
+    tile.apex = static_cast<std::uint8_t>((edge % 3 + 1) % 3);
+    if (cross(places[1] - places[0], places[2] - places[0]) < 0.0) std::swap(tile.right, tile.apex);
     tile.left = static_cast<std::uint8_t>(3 - tile.right - tile.apex);
     tile.at_left = places[tile.left];
     tile.at_right = places[tile.right];
