@@ -1,13 +1,15 @@
-// Rasterising the patch atlas. A gutter texel's point is a sum of the points of inner texels; while
-// these keep their triangles it is again an affine function of the texel, so gutters are spans,
-// too. All blocks are visited twice, to count spans and to fill them: the result is large, and so
-// takes no more memory than it needs.
+// Rasterising the patch atlas: the spans of every block in parallel, then all of them sorted into
+// rows. The result is large, and so takes no more memory than it needs.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include <tbb/parallel_for.h>
 
 #include "atlas/base/image.h"
 #include "atlas/patch/atlas.h"
+#include "atlas/patch/block_gutters.h"
 #include "atlas/solid/texel_rows.h"
 
 namespace burl {
@@ -21,96 +23,43 @@ TexelMap map_in_block(const std::array<Vec2d, 3>& places, const std::array<Vec3d
     return affine_map(places, points, {block.x, block.y}, {block.width, block.height});
 }
 
-/// The inner texels (x, y) that a gutter texel is made of, with their factors.
-struct Sources {
-    struct Term {
-        double factor;
-        std::int64_t x, y;
-        double sign_x, sign_y;  ///< step of the source for a step of the texel, 0 or +-1
-    };
-    std::array<Term, 4> terms;
-    std::size_t count = 0;
-};
-
-/// The reflection of a texel along one axis: its source texels are `at`, or 2 edge - mirrored
-/// outside of the inner ones.
-struct Reflection {
-    std::array<std::array<double, 3>, 2> terms;  ///< factor, source texel, step of the source
-    std::size_t count;
-};
-
-Reflection reflect(std::int64_t at, std::int64_t first, std::int64_t last) {
-    if (at >= first && at <= last) return {{{{1.0, double(at), 1.0}, {}}}, 1};
-    const std::int64_t edge = at < first ? first : last;
-    return {{{{2.0, double(edge), 0.0}, {-1.0, double(2 * edge - at), -1.0}}}, 2};
-}
-
-Sources sources_of(std::int64_t x, std::int64_t y, const PatchBlock& b) {
-    const std::int64_t x0 = b.x + b.gutter, y0 = b.y + b.gutter;
-    const Reflection in_x = reflect(x, x0, x0 + b.columns());
-    const Reflection in_y = reflect(y, y0, y0 + b.rows());
-    Sources sources;
-    for (std::size_t j = 0; j < in_y.count; ++j)
-        for (std::size_t i = 0; i < in_x.count; ++i)
-            sources.terms[sources.count++] = {
-                in_x.terms[i][0] * in_y.terms[j][0], std::int64_t(in_x.terms[i][1]),
-                std::int64_t(in_y.terms[j][1]), in_x.terms[i][2], in_y.terms[j][2]};
-    return sources;
-}
-
-/// Numbers of the maps of the inner texels that a texel is made of; nobody where there are fewer
-/// than four.
-using Owners = std::array<std::uint32_t, 4>;
-
-/// Texels [x, x + count) of a row, all made of inner texels of the same owners.
-struct Run {
-    std::uint32_t x = 0, count = 0;
-    Owners owners{nobody, nobody, nobody, nobody};
-    bool gutter = false;  ///< whether the texels are gutter; else the first owner's map shows them
-};
-
-/// Calls visit(run) for texels [from, to) of row y, all in the gutter.
+/// Calls visit(first, count, owner) for the runs of a row of owners.
 template <class Visit>
-void visit_gutter(const PatchBlock& b, const Image<std::uint32_t>& inner, std::uint32_t y,
-                  std::uint32_t from, std::uint32_t to, const Visit& visit) {
-    Run run;
-    for (std::uint32_t x = from; x < to; ++x) {
-        const Sources sources = sources_of(x, y, b);
-        Owners owners{nobody, nobody, nobody, nobody};
-        for (std::size_t i = 0; i < sources.count; ++i)
-            owners[i] = inner(std::size_t(sources.terms[i].x - b.x - b.gutter),
-                              std::size_t(sources.terms[i].y - b.y - b.gutter));
-        if (x > from && owners == run.owners) {
-            ++run.count;
-            continue;
-        }
-        if (x > from) visit(run);
-        run = {x, 1, owners, true};
+void visit_runs(std::span<const std::uint32_t> owners, const Visit& visit) {
+    for (std::size_t i = 0; i < owners.size();) {
+        const std::size_t first = i;
+        while (i < owners.size() && owners[i] == owners[first]) ++i;
+        visit(std::uint32_t(first), std::uint32_t(i - first), owners[first]);
     }
-    if (to > from) visit(run);
 }
 
-/// Calls visit(run) for the runs of the block's row y; `inner` holds the owners of the inner
-/// texels.
+/// Calls visit(row, first texel, count) for the block's texels that are in no run; the runs are
+/// ordered by row and x.
 template <class Visit>
-void visit_row(const PatchBlock& b, const Image<std::uint32_t>& inner, std::uint32_t y,
-               const Visit& visit) {
-    const std::uint32_t begin = b.x + b.gutter, end = begin + b.columns() + 1;
-    visit_gutter(b, inner, y, b.x, begin, visit);
-    if (y < b.y + b.gutter || y > b.y + b.gutter + b.rows()) {
-        visit_gutter(b, inner, y, begin, end, visit);
-    } else {
-        const std::span<const std::uint32_t> owners = inner.row(y - b.y - b.gutter);
-        for (std::size_t i = 0; i < owners.size();) {
-            const std::size_t first = i;
-            while (i < owners.size() && owners[i] == owners[first]) ++i;
-            visit(Run{std::uint32_t(begin + first),
-                      std::uint32_t(i - first),
-                      {owners[first], nobody, nobody, nobody}});
+void visit_plane(const PatchBlock& b, std::span<const GutterRun> runs, const Visit& visit) {
+    auto run = runs.begin();
+    for (std::uint32_t y = b.y; y < b.y + b.height; ++y) {
+        std::uint32_t x = b.x;
+        for (; run != runs.end() && run->y == y; ++run) {
+            if (run->x > x) visit(y, x, run->x - x);
+            x = run->x + run->count;
         }
+        if (x < b.x + b.width) visit(y, x, b.x + b.width - x);
     }
-    visit_gutter(b, inner, y, end, b.x + b.width, visit);
 }
+
+/// A span of row y.
+struct RowSpan {
+    std::uint32_t y = 0;
+    Span span{};
+};
+
+/// The spans of one block. Maps of `inner` from the number of the mesh's triangles on are the
+/// patch's own: its plane, or the fans of its holes.
+struct BlockSpans {
+    std::vector<RowSpan> inner;
+    Gutter gutter;
+};
 
 /// Makes the spans and maps of an atlas's blocks.
 class Rasterizer {
@@ -121,10 +70,10 @@ class Rasterizer {
     SolidAtlas run() {
         solid_.size = atlas_.atlas.options.size;
         sort_triangles();
+        find_spans();
         count_spans();
         map_mesh_triangles();
-        for (std::size_t p = 0; p < atlas_.patches.size(); ++p)
-            atlas_.patches[p].plane ? fill_plane(p) : fill_block(p);
+        for (std::size_t p = 0; p < atlas_.patches.size(); ++p) fill_block(p);
         for (std::size_t y = 0; y < solid_.size; ++y)
             std::sort(solid_.spans.begin() + std::ptrdiff_t(solid_.row_begin[y]),
                       solid_.spans.begin() + std::ptrdiff_t(solid_.row_begin[y + 1]),
@@ -146,26 +95,61 @@ class Rasterizer {
                 triangles_[next[p]++] = t;
     }
 
+    void find_spans() {
+        const Mesh& mesh = atlas_.refined.mesh;
+        const ChartedMesh charted{mesh.triangles, positions_, atlas_.atlas.corners,
+                                  atlas_.atlas.charts};
+        const EdgeNeighbours neighbours(mesh.triangles, positions_);
+        blocks_.resize(atlas_.patches.size());
+        tbb::parallel_for(std::size_t(0), blocks_.size(), [&](std::size_t p) {
+            const PatchBlock& block = atlas_.layout.blocks[p];
+            const std::span<const std::uint32_t> own = triangles_of(p);
+            blocks_[p] =
+                atlas_.patches[p].plane
+                    ? plane_spans(block,
+                                  plane_gutter(charted, neighbours, own, block, plane_map(p)))
+                    : BlockSpans{inner_spans(p), rectangle_gutter(charted, neighbours, own, block)};
+        });
+    }
+
+    std::uint32_t mesh_maps() const {
+        return static_cast<std::uint32_t>(atlas_.atlas.corners.size());
+    }
+
+    std::span<const std::uint32_t> triangles_of(std::size_t p) const {
+        return {triangles_.data() + first_[p], first_[p + 1] - first_[p]};
+    }
+
+    BlockSpans plane_spans(const PatchBlock& block, Gutter gutter) const {
+        BlockSpans spans;
+        visit_plane(block, gutter.runs, [&](std::uint32_t y, std::uint32_t x, std::uint32_t count) {
+            spans.inner.push_back({y, {x, count, mesh_maps()}});
+        });
+        spans.gutter = std::move(gutter);
+        return spans;
+    }
+
+    std::vector<RowSpan> inner_spans(std::size_t p) const {
+        const PatchBlock& b = atlas_.layout.blocks[p];
+        const std::uint32_t x = b.x + b.gutter, y = b.y + b.gutter;
+        const Image<std::uint32_t> inner = inner_owners(p);
+        std::vector<RowSpan> spans;
+        for (std::uint32_t row = 0; row < inner.height(); ++row)
+            visit_runs(inner.row(row), [&](std::uint32_t first, std::uint32_t count, auto owner) {
+                spans.push_back({y + row, {x + first, count, owner}});
+            });
+        return spans;
+    }
+
     /// Sets the begins of all rows, and makes room for spans and maps.
     void count_spans() {
         std::vector<std::size_t> counts(solid_.size, 0);
-        const auto mesh_maps = std::uint32_t(atlas_.atlas.corners.size());
         std::size_t more_maps = 0;
-        for (std::size_t p = 0; p < atlas_.patches.size(); ++p) {
-            const PatchBlock& b = atlas_.layout.blocks[p];
-            const bool plane = atlas_.patches[p].plane.has_value();
-            more_maps += plane ? 1 : atlas_.patches[p].fans.size();
-            const Image<std::uint32_t> inner =
-                plane ? Image<std::uint32_t>() : inner_owners(p, mesh_maps);
-            for (std::uint32_t y = b.y; y < b.y + b.height; ++y) {
-                if (plane)
-                    ++counts[y];
-                else
-                    visit_row(b, inner, y, [&](const Run& run) {
-                        ++counts[y];
-                        more_maps += run.gutter;
-                    });
-            }
+        for (std::size_t p = 0; p < blocks_.size(); ++p) {
+            more_maps += atlas_.patches[p].plane ? 1 : atlas_.patches[p].fans.size();
+            more_maps += blocks_[p].gutter.maps.size();
+            for (const RowSpan& span : blocks_[p].inner) ++counts[span.y];
+            for (const GutterRun& run : blocks_[p].gutter.runs) ++counts[run.y];
         }
         solid_.row_begin.reserve(solid_.size + 1);
         solid_.row_begin.push_back(0);
@@ -173,7 +157,7 @@ class Rasterizer {
             solid_.row_begin.push_back(solid_.row_begin.back() + count);
         solid_.spans.resize(solid_.row_begin.back());
         filled_.assign(solid_.row_begin.begin(), solid_.row_begin.end() - 1);
-        solid_.maps.reserve(mesh_maps + more_maps);
+        solid_.maps.reserve(mesh_maps() + more_maps);
         solid_.turned.reserve(more_maps);
     }
 
@@ -222,9 +206,8 @@ class Rasterizer {
         }
     }
 
-    /// The number of the map at each texel of the inner rectangle; the maps of the patch's fans
-    /// begin at `fan_map`.
-    Image<std::uint32_t> inner_owners(std::size_t p, std::uint32_t fan_map) const {
+    /// The number of the map at each texel of the inner rectangle, as in BlockSpans::inner.
+    Image<std::uint32_t> inner_owners(std::size_t p) const {
         const PatchBlock& b = atlas_.layout.blocks[p];
         const std::uint32_t columns = b.columns() + 1, rows = b.rows() + 1;
         const Vec2d low(b.x + b.gutter, b.y + b.gutter);
@@ -240,8 +223,8 @@ class Rasterizer {
                     texel = std::min(texel, map);
             });
         };
-        for (std::uint32_t i = first_[p]; i < first_[p + 1]; ++i)
-            show(atlas_.atlas.corners[triangles_[i]], triangles_[i]);
+        for (const std::uint32_t t : triangles_of(p)) show(atlas_.atlas.corners[t], t);
+        std::uint32_t fan_map = mesh_maps();
         for (const PlacedTriangle& fan : atlas_.patches[p].fans) show(fan.places, fan_map++);
         fill_missed(owner);
         return owner;
@@ -267,49 +250,38 @@ class Rasterizer {
                 std::copy(owner.row(y + 1).begin(), owner.row(y + 1).end(), owner.row(y).begin());
     }
 
+    std::uint32_t next_map() const { return static_cast<std::uint32_t>(solid_.maps.size()); }
+
     void fill_block(std::size_t p) {
-        const auto first_fan = std::uint32_t(solid_.maps.size());
-        map_fans(p);
-        const PatchBlock& b = atlas_.layout.blocks[p];
-        const Image<std::uint32_t> inner = inner_owners(p, first_fan);
-        for (std::uint32_t y = b.y; y < b.y + b.height; ++y)
-            visit_row(b, inner, y, [&](const Run& run) {
-                const std::uint32_t map = run.gutter ? gutter_map(run, y, b) : run.owners[0];
-                add_span(y, {run.x, run.count, map});
-            });
-    }
-
-    std::uint32_t gutter_map(const Run& run, std::uint32_t y, const PatchBlock& b) {
-        const Sources sources = sources_of(run.x, y, b);
-        TexelMap map;
-        map.anchor_x = static_cast<std::int32_t>(run.x);
-        map.anchor_y = static_cast<std::int32_t>(y);
-        for (std::size_t i = 0; i < sources.count; ++i) {
-            const auto& term = sources.terms[i];
-            const TexelMap& source = solid_.maps[run.owners[i]];
-            map.origin += term.factor * source(term.x, term.y);
-            map.step_x += term.factor * term.sign_x * source.step_x;
-            map.step_y += term.factor * term.sign_y * source.step_y;
+        const BlockSpans block = std::move(blocks_[p]);
+        const std::uint32_t first_own = next_map();
+        if (atlas_.patches[p].plane)
+            add_map(plane_map(p), atlas_.patches[p].triangle);
+        else
+            map_fans(p);
+        for (auto [y, span] : block.inner) {
+            if (span.map >= mesh_maps()) span.map += first_own - mesh_maps();
+            add_span(y, span);
         }
-        return add_map(map, solid_.triangle_of(run.owners[0]));
+        const std::uint32_t first = next_map();
+        for (std::size_t i = 0; i < block.gutter.maps.size(); ++i)
+            add_map(block.gutter.maps[i], block.gutter.triangles[i]);
+        for (const GutterRun& run : block.gutter.runs)
+            add_span(run.y, {run.x, run.count, first + run.map});
     }
 
-    /// Adds one affine map for the whole block of a planar patch, and its spans.
-    void fill_plane(std::size_t p) {
-        const PlacedPatch& patch = atlas_.patches[p];
-        const PatchBlock& block = atlas_.layout.blocks[p];
-        const auto& [a, b, c] = patch.plane->points;
-        const std::uint32_t map = add_map(
-            map_in_block(patch.plane->places, {positions_[a], positions_[b], positions_[c]}, block),
-            patch.triangle);
-        for (std::uint32_t y = block.y; y < block.y + block.height; ++y)
-            add_span(y, {block.x, block.width, map});
+    TexelMap plane_map(std::size_t p) const {
+        const PlacedTriangle& plane = *atlas_.patches[p].plane;
+        const auto& [a, b, c] = plane.points;
+        return map_in_block(plane.places, {positions_[a], positions_[b], positions_[c]},
+                            atlas_.layout.blocks[p]);
     }
 
     const PatchAtlas& atlas_;
     std::span<const Vec3d> positions_;
     std::vector<Vec4d> hubs_;  ///< sum of the points on each hub's rim (xyz), and their number (w)
     SolidAtlas solid_;
+    std::vector<BlockSpans> blocks_;                ///< spans of each patch's block
     std::vector<std::size_t> filled_;               ///< place of the next span of each row
     std::vector<std::uint32_t> first_, triangles_;  ///< triangles sorted by patch
 };

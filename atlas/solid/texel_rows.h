@@ -1,7 +1,7 @@
 #pragma once
-// Scan conversion of a triangle in texel coordinates: the extent of its slice around a texel row.
-// Edges are cut from the same end whichever triangle asks, so neighbours get the same numbers and
-// leave neither gap nor overlap.
+// Scan conversion of a triangle or convex polygon in texel coordinates: the extent of its slice
+// around a texel row. Edges are cut from the same end whichever triangle asks, so neighbours get
+// the same numbers and leave neither gap nor overlap.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,12 +24,13 @@ struct Interval {
     bool empty() const { return low > high; }
 };
 
-/// Extent in x of the part of the triangle with low <= y <= high (of the cut line where low ==
-/// high); empty when there is none.
-inline Interval slice(const std::array<Vec2d, 3>& corners, double low, double high) {
+/// Extent in x of the part of the triangle, or convex polygon, with low <= y <= high (of the cut
+/// line where low == high); empty when there is none.
+template <std::size_t N>
+Interval slice(const std::array<Vec2d, N>& corners, double low, double high) {
     Interval x;
-    for (std::size_t k = 0; k < 3; ++k) {
-        Vec2d a = corners[k], b = corners[(k + 1) % 3];
+    for (std::size_t k = 0; k < N; ++k) {
+        Vec2d a = corners[k], b = corners[(k + 1) % N];
         if (a.y > b.y || (a.y == b.y && a.x > b.x)) std::swap(a, b);
         if (a.y >= low && a.y <= high) x.add(a.x);
         if (b.y >= low && b.y <= high) x.add(b.x);
@@ -39,10 +40,10 @@ inline Interval slice(const std::array<Vec2d, 3>& corners, double low, double hi
     return x;
 }
 
-/// Calls visit(row, slice of the triangle within `reach` of the row's centre line) for every row of
-/// a texture `size` texels high that the triangle comes that near to.
-template <class Visit>
-void visit_slices(const std::array<Vec2d, 3>& corners, std::uint32_t size, double reach,
+/// Calls visit(row, slice of the triangle, or convex polygon, within `reach` of the row's centre
+/// line) for every row of a texture `size` texels high that it comes that near to.
+template <std::size_t N, class Visit>
+void visit_slices(const std::array<Vec2d, N>& corners, std::uint32_t size, double reach,
                   Visit&& visit) {
     Interval y;
     for (const Vec2d& corner : corners) y.add(corner.y);

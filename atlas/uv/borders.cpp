@@ -1,6 +1,7 @@
 #include "atlas/uv/borders.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -111,17 +112,17 @@ Image<std::uint32_t> nearest_borders(const Image<std::uint32_t>& owner,
     Image<float> distances(columns, rows, float(reach));
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
         const BorderEdge& edge = edges[e];
-        visit_slices(
-            {edge.from, edge.to, edge.to}, rows, reach, [&](std::uint32_t y, const Interval& x) {
-                const TexelRun run = centres_within(x.low - reach, x.high + reach, columns);
-                for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-                    if (owner(i, y) != unclaimed) continue;
-                    const auto distance = float(edge.distance({i + 0.5, y + 0.5}));
-                    if (!(distance < distances(i, y))) continue;
-                    distances(i, y) = distance;
-                    nearest(i, y) = e;
-                }
-            });
+        const std::array<Vec2d, 3> thin{edge.from, edge.to, edge.to};
+        visit_slices(thin, rows, reach, [&](std::uint32_t y, const Interval& x) {
+            const TexelRun run = centres_within(x.low - reach, x.high + reach, columns);
+            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+                if (owner(i, y) != unclaimed) continue;
+                const auto distance = float(edge.distance({i + 0.5, y + 0.5}));
+                if (!(distance < distances(i, y))) continue;
+                distances(i, y) = distance;
+                nearest(i, y) = e;
+            }
+        });
     }
     return nearest;
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include "atlas/base/each_index.h"
+#include "atlas/gutter/gutters.h"
 #include "atlas/uv/borders.h"
 #include "atlas/uv/claims.h"
 #include "atlas/uv/nearest.h"
@@ -28,10 +30,13 @@ class UvRasterizer {
           positions_(positions),
           owner_(claim_texels(atlas).owner),
           edges_(border_edges(atlas)),
-          border_(nearest_borders(owner_, edges_, exact_reach)) {}
+          border_(nearest_borders(owner_, edges_, exact_reach)) {
+        if (atlas.options.kind == AtlasKind::chart) fill_gutters();
+    }
 
     SolidAtlas run() {
         solid_.size = atlas_.options.size;
+        fill_gutters();
         make_spans();
         solid_.maps.resize(triangles());
         for_each_index(triangles(), [&](std::size_t t) { map_triangle(t); });
@@ -40,7 +45,73 @@ class UvRasterizer {
     }
 
   private:
+    /// Fills texels near charts that the border triangle's map does not go on to with the surface
+    /// beyond the border, where there is some.
+    void fill_gutters() {
+        const ChartedMesh charted{mesh_.triangles, positions_, atlas_.corners, atlas_.charts};
+        const EdgeNeighbours neighbours(mesh_.triangles, positions_);
+        std::vector<ChartEdge> edges;
+        for (const BorderEdge& edge : edges_)
+            if (edge.from != edge.to)
+                edges.push_back(chart_edge(charted, 3 * edge.triangle + edge.corner));
+        gutter_ = fill_gutter(
+            charted, neighbours, edges, gaps(),
+            {0, 0, atlas_.options.columns(), atlas_.options.rows()},
+            {.reach = getenv("GUT_R") ? atof(getenv("GUT_R")) : 16.0, .leaves_open = true});
+        walked_ = Image<std::uint32_t>(owner_.width(), owner_.height(), unclaimed);
+        for (const GutterRun& run : gutter_.runs)
+            std::fill_n(&walked_(run.x, run.y), run.count, run.map);
+    }
+
+    /// The texels that nobody owns.
+    std::vector<TexelGap> gaps() const {
+        std::vector<TexelGap> gaps;
+        for (std::uint32_t y = 0; y < owner_.height(); ++y)
+            for (std::uint32_t x = 0; x < owner_.width(); ++x) {
+                if (owner_(x, y) != unclaimed) continue;
+                const bool goes_on = x > 0 && owner_(x - 1, y) == unclaimed;
+                if (goes_on)
+                    ++gaps.back().count;
+                else
+                    gaps.push_back({y, x, 1});
+            }
+        return gaps;
+    }
+
     std::uint32_t triangles() const { return std::uint32_t(mesh_.triangles.size()); }
+
+    /// Continues the surface beyond the charts' borders as far as a walk over it makes sense.
+    void fill_gutters() {
+        const std::uint32_t size = solid_size();
+        const ChartedMesh mesh{mesh_.triangles, positions_, atlas_.corners, atlas_.charts};
+        const EdgeNeighbours neighbours(mesh_.triangles, positions_);
+        std::vector<std::uint32_t> all(triangles());
+        std::iota(all.begin(), all.end(), 0u);
+        const double reach = std::max(size / walked_share, 2u);
+        gutter_ = fill_gutter(
+            mesh, neighbours, chart_edges(mesh, neighbours, all), gaps(), {0, 0, size, size},
+            {.reach = reach, .own_plane = lookup_reach, .at_open_edge = AtOpenEdge::mirror});
+        walked_ = Image<std::uint32_t>(size, size, unclaimed);
+        for (const GutterRun& run : gutter_.runs)
+            std::ranges::fill(walked_.row(run.y).subspan(run.x, run.count), run.map);
+    }
+
+    std::uint32_t solid_size() const { return atlas_.options.size; }
+
+    /// The texels that no triangle claims.
+    std::vector<TexelGap> gaps() const {
+        std::vector<TexelGap> gaps;
+        for (std::uint32_t y = 0; y < owner_.height(); ++y) {
+            const auto row = owner_.row(y);
+            for (std::uint32_t x = 0; x < row.size();) {
+                const std::uint32_t first = x;
+                while (x < row.size() && row[x] == unclaimed) ++x;
+                if (x > first) gaps.push_back({y, first, x - first});
+                while (x < row.size() && row[x] != unclaimed) ++x;
+            }
+        }
+        return gaps;
+    }
 
     void map_triangle(std::size_t t) {
         const auto& [a, b, c] = mesh_.triangles[t];
@@ -57,11 +128,22 @@ class UvRasterizer {
         return triangles() + zones * e + std::uint32_t(zone) - 1;
     }
 
+    /// The number of the gutter's first map, if zones of all edges had maps.
+    std::uint32_t first_walked() const {
+        return triangles() + zones * std::uint32_t(edges_.size());
+    }
+
     /// The number of the map of texel (x, y), whose nearest texel with an owner or a border is
     /// `place`.
     std::uint32_t map_at(std::uint32_t x, std::uint32_t y,
                          const NearestClaims::Place& place) const {
+        if (walked_.width() > 0 && walked_(x, y) != unclaimed)
+            return first_walked() + walked_(x, y);
         const std::uint32_t e = border_(place.x, place.y);
+        const std::uint32_t walked = walked_(x, y);
+        if (walked != unclaimed &&
+            (e == unclaimed || zone_of(edges_[e], {x + 0.5, y + 0.5}) != BorderZone::near))
+            return first_walked() + walked;
         return e == unclaimed ? owner_(place.x, place.y) : map_beyond(e, x, y);
     }
 
@@ -97,16 +179,27 @@ class UvRasterizer {
             solid_.spans.insert(solid_.spans.end(), row.begin(), row.end());
     }
 
+    /// The number of the first map of the gutter, if zones of all edges had maps.
+    std::uint32_t first_walked() const {
+        return triangles() + zones * std::uint32_t(edges_.size());
+    }
+
     /// Adds the maps of the zones that spans show, in the order of the edges, and numbers them
     /// anew.
     void add_zone_maps() {
-        std::vector<std::uint32_t> number(zones * edges_.size(), unclaimed);
+        std::vector<std::uint32_t> number(zones * edges_.size() + gutter_.maps.size(), unclaimed);
         for (const Span& span : solid_.spans)
             if (span.map >= triangles()) number[span.map - triangles()] = 0;
         for (std::uint32_t i = 0; i < number.size(); ++i) {
             if (number[i] == unclaimed) continue;
-            const BorderEdge& edge = edges_[i / zones];
             number[i] = std::uint32_t(solid_.maps.size());
+            if (i >= zones * edges_.size()) {
+                const std::size_t walked = i - zones * edges_.size();
+                solid_.maps.push_back(gutter_.maps[walked]);
+                solid_.turned.push_back(gutter_.triangles[walked]);
+                continue;
+            }
+            const BorderEdge& edge = edges_[i / zones];
             solid_.maps.push_back(
                 zone_map(edge, solid_.maps[edge.triangle], BorderZone(1 + i % zones)));
             solid_.turned.push_back(edge.triangle);
@@ -120,6 +213,8 @@ class UvRasterizer {
     std::span<const Vec3d> positions_;
     Image<std::uint32_t> owner_;  ///< the triangle that holds each texel's centre
     std::vector<BorderEdge> edges_;
+    Gutter gutter_;
+    Image<std::uint32_t> walked_;  ///< the gutter's map at each texel, or unclaimed
     Image<std::uint32_t> border_;  ///< the nearest border edge of texels beside charts
     SolidAtlas solid_;
 };

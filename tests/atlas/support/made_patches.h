@@ -167,4 +167,18 @@ inline void expect_fills_square(const Patch& patch, const std::vector<Vec2d>& uv
     EXPECT_NEAR(sum, 1.0, 1e-9);
 }
 
+/// Whether a point lies on the mesh, within `far`.
+inline bool lies_on(const Mesh& mesh, const Vec3d& q, double far) {
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3d a = mesh.positions[t[0]], u = mesh.positions[t[1]] - a,
+                    v = mesh.positions[t[2]] - a;
+        const Vec3d n = glm::cross(u, v), w = q - a;
+        if (std::abs(glm::dot(w, glm::normalize(n))) > far) continue;
+        const double i = glm::dot(glm::cross(w, v), n) / glm::dot(n, n),
+                     j = glm::dot(glm::cross(u, w), n) / glm::dot(n, n);
+        if (i > -1e-9 && j > -1e-9 && i + j < 1.0 + 1e-9) return true;
+    }
+    return false;
+}
+
 }  // namespace burl::made
