@@ -30,9 +30,7 @@ class UvRasterizer {
           positions_(positions),
           owner_(claim_texels(atlas).owner),
           edges_(border_edges(atlas)),
-          border_(nearest_borders(owner_, edges_, exact_reach)) {
-        if (atlas.options.kind == AtlasKind::chart) fill_gutters();
-    }
+          border_(nearest_borders(owner_, edges_, exact_reach)) {}
 
     SolidAtlas run() {
         solid_.size = atlas_.options.size;
@@ -80,39 +78,6 @@ class UvRasterizer {
 
     std::uint32_t triangles() const { return std::uint32_t(mesh_.triangles.size()); }
 
-    /// Continues the surface beyond the charts' borders as far as a walk over it makes sense.
-    void fill_gutters() {
-        const std::uint32_t size = solid_size();
-        const ChartedMesh mesh{mesh_.triangles, positions_, atlas_.corners, atlas_.charts};
-        const EdgeNeighbours neighbours(mesh_.triangles, positions_);
-        std::vector<std::uint32_t> all(triangles());
-        std::iota(all.begin(), all.end(), 0u);
-        const double reach = std::max(size / walked_share, 2u);
-        gutter_ = fill_gutter(
-            mesh, neighbours, chart_edges(mesh, neighbours, all), gaps(), {0, 0, size, size},
-            {.reach = reach, .own_plane = lookup_reach, .at_open_edge = AtOpenEdge::mirror});
-        walked_ = Image<std::uint32_t>(size, size, unclaimed);
-        for (const GutterRun& run : gutter_.runs)
-            std::ranges::fill(walked_.row(run.y).subspan(run.x, run.count), run.map);
-    }
-
-    std::uint32_t solid_size() const { return atlas_.options.size; }
-
-    /// The texels that no triangle claims.
-    std::vector<TexelGap> gaps() const {
-        std::vector<TexelGap> gaps;
-        for (std::uint32_t y = 0; y < owner_.height(); ++y) {
-            const auto row = owner_.row(y);
-            for (std::uint32_t x = 0; x < row.size();) {
-                const std::uint32_t first = x;
-                while (x < row.size() && row[x] == unclaimed) ++x;
-                if (x > first) gaps.push_back({y, first, x - first});
-                while (x < row.size() && row[x] != unclaimed) ++x;
-            }
-        }
-        return gaps;
-    }
-
     void map_triangle(std::size_t t) {
         const auto& [a, b, c] = mesh_.triangles[t];
         solid_.maps[t] =
@@ -128,17 +93,10 @@ class UvRasterizer {
         return triangles() + zones * e + std::uint32_t(zone) - 1;
     }
 
-    /// The number of the gutter's first map, if zones of all edges had maps.
-    std::uint32_t first_walked() const {
-        return triangles() + zones * std::uint32_t(edges_.size());
-    }
-
     /// The number of the map of texel (x, y), whose nearest texel with an owner or a border is
     /// `place`.
     std::uint32_t map_at(std::uint32_t x, std::uint32_t y,
                          const NearestClaims::Place& place) const {
-        if (walked_.width() > 0 && walked_(x, y) != unclaimed)
-            return first_walked() + walked_(x, y);
         const std::uint32_t e = border_(place.x, place.y);
         const std::uint32_t walked = walked_(x, y);
         if (walked != unclaimed &&
