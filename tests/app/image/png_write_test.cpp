@@ -42,7 +42,7 @@ std::vector<std::uint16_t> codes_in(const Image<Pixel>& image) {
 template <class Pixel>
 void expect_codes(std::size_t width, std::size_t height, int color_type) {
     const Image<Pixel> image = banded_picture<Pixel>(width, height);
-    for (const int level : {png_level_by_size, 0, 9}) {
+    for (const int level : {png_level, 0, 9}) {
         const RawPng raw = raw_png(encode_png(image, level));
         EXPECT_EQ(raw.width, width);
         EXPECT_EQ(raw.height, height);
