@@ -69,18 +69,14 @@ double thread_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-/// Encodes a picture of a trial as one of the bake, which has `times` as many texels.
+/// Encodes a picture of a trial as one of the bake.
 template <class Picture>
-void encode(const Picture& picture, const PictureCoding& coding, double times) {
+void encode(const Picture& picture, const PictureCoding& coding) {
     const auto nowhere = [](std::span<const std::uint8_t>) {};
     std::visit(
         [&]<class Pixel>(const Image<Pixel>& image) {
-            if constexpr (!std::is_same_v<Pixel, RgbF> && !std::is_same_v<Pixel, RgbaF>) {
-                if (coding.format == TextureFormat::png)
-                    encode_png(image, png_level(std::size_t(times * double(bytes_of(image)))));
-                else
-                    encode_picture(image, nowhere, coding);
-            }
+            if constexpr (!std::is_same_v<Pixel, RgbF> && !std::is_same_v<Pixel, RgbaF>)
+                encode_picture(image, nowhere, coding);
         },
         picture);
 }
@@ -99,7 +95,7 @@ BakedMaterial material_of(Pipeline& pipeline, const BakePlan& plan) {
 
 /// The costs of a whole trial by one thread, rather than of a texel.
 TrialCosts costs_of(Mesh squares, const StageContext& context, const Recipe& recipe,
-                    const BakePlan& plan, double times) {
+                    const BakePlan& plan) {
     Pipeline pipeline(std::move(squares));
     pipeline.context().way = context.way;
     pipeline.context().way.threads = 1;
@@ -116,7 +112,7 @@ TrialCosts costs_of(Mesh squares, const StageContext& context, const Recipe& rec
     const double turned = thread_seconds();
     const auto try_encoding = [&](const auto& picture) {
         const double begins = thread_seconds();
-        encode(picture, plan.coding, times);
+        encode(picture, plan.coding);
         costs.pictures.push_back(thread_seconds() - begins);
     };
     try_encoding(material.color);
@@ -144,15 +140,14 @@ TrialCosts costs_of(Mesh squares, const StageContext& context, const Recipe& rec
 /// The costs of a texel by one thread, of trials of `size` texels a side and of a quarter of that:
 /// what does not grow with the number of texels is the same in both.
 TrialCosts costs_of_texel(Pipeline& pipeline, const Recipe& recipe, const BakePlan& plan,
-                          std::uint32_t size, double times) {
+                          std::uint32_t size) {
     const auto costs = [&](std::uint32_t side) {
         Mesh mesh = squares_at(pipeline.mesh(), recipe, side);
         Recipe small = recipe;
         small.atlas = {.kind = AtlasKind::quad, .size = side};
         small.solid.space = SolidSpace::object;
-        return mesh.triangles.empty()
-                   ? TrialCosts()
-                   : costs_of(std::move(mesh), pipeline.context(), small, plan, times);
+        return mesh.triangles.empty() ? TrialCosts()
+                                      : costs_of(std::move(mesh), pipeline.context(), small, plan);
     };
     const TrialCosts few = costs(size / 4), all = costs(size);
     const double texels = double(size) * double(size);
@@ -183,10 +178,7 @@ TrialCosts try_costs(Pipeline& pipeline, const Recipe& recipe, const BakePlan& p
     TrialCosts costs;
     try {
         tbb::task_arena one(1);
-        one.execute([&] {
-            costs = costs_of_texel(pipeline, recipe, plan, size,
-                                   texels / (double(size) * double(size)));
-        });
+        one.execute([&] { costs = costs_of_texel(pipeline, recipe, plan, size); });
     } catch (const Error&) {
         return {};  // the bake itself says what is wrong
     }

@@ -25,12 +25,8 @@ constexpr std::size_t max_png_side = 1u << 20;
 /// The bytes of rows that make a band: joined bands are 0.3 % larger than the whole would be.
 constexpr std::size_t band_bytes = 1u << 19;
 /// The share of a band that filters are tried on, and the least number of bytes of it.
-constexpr std::size_t sample_share = 8, least_sample = 1u << 15;
+constexpr std::size_t sample_share = 16, least_sample = 1u << 15;
 constexpr int sample_level = 1;
-/// The levels of libdeflate for images of at most `small_image` bytes and for larger ones: half
-/// again as fast as one level more (docs/lab/export.md).
-constexpr std::size_t small_image = 1u << 22;
-constexpr int small_level = 7, large_level = 5;
 
 enum ColorType : std::uint8_t { grey = 0, rgb = 2, indexed = 3, rgba = 6 };
 
@@ -87,8 +83,8 @@ PngFilter best_filter(const PngRaster& raster, PngRows band) {
     const Deflater deflater(sample_level);
     PngFilter best = PngFilter::none;
     std::size_t least = std::numeric_limits<std::size_t>::max();
-    for (const PngFilter filter :
-         {PngFilter::up, PngFilter::sub, PngFilter::adaptive, PngFilter::none}) {
+    for (const PngFilter filter : {PngFilter::up, PngFilter::sub, PngFilter::average,
+                                   PngFilter::adaptive, PngFilter::none}) {
         const auto sample = filtered(raster, {first, first + count}, filter);
         const std::size_t size = deflater.stream(sample).size();
         if (size < least) least = size, best = filter;
@@ -195,9 +191,8 @@ void encode_raster(const ByteSink& sink, const PngRaster& raster, PngContent con
     if (raster.width > max_png_side || raster.height > max_png_side)
         throw Error(ExitCode::runtime, fmt::format("an image of {} x {} is too large for PNG",
                                                    raster.width, raster.height));
-    const int by_size = png_level(raster.stride() * raster.height);
     write_header(sink, raster, content);
-    write_bands(sink, raster, level == png_level_by_size ? by_size : level, meter);
+    write_bands(sink, raster, level, meter);
     write_chunk(sink, "IEND", {});
 }
 
@@ -233,10 +228,6 @@ bool is_grey(const IndexedImage& image) {
 
 }  // namespace
 
-int png_level(std::size_t bytes) {
-    return bytes <= small_image ? small_level : large_level;
-}
-
 template <class Pixel>
 std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level) {
     return encoded(raster_of(image), png_content<Pixel>, level);
@@ -245,7 +236,7 @@ std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level) {
 template <class Pixel>
 void encode_png(const Image<Pixel>& image, const ByteSink& sink, PngContent content,
                 TaskMeter* meter) {
-    encode_raster(sink, raster_of(image), content, png_level_by_size, meter);
+    encode_raster(sink, raster_of(image), content, png_level, meter);
 }
 
 template std::vector<std::uint8_t> encode_png(const Image<Rgb8>&, int);
