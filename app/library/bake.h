@@ -18,8 +18,8 @@ namespace burl::library {
 struct BakeOptions {
     /// Texels a side of the texture, 1 to 16384; 0: as the recipe says.
     std::uint32_t size = 0;
-    /// Kind of atlas: "uniform", "area", "length", "quad", "patch", "chart" or "uv"; empty: as the recipe
-    /// says.
+    /// Kind of atlas: "uniform", "area", "length", "quad", "patch", "chart" or "uv"; empty: as the
+    /// recipe says.
     std::string atlas{};
     /// Bits of a component: 8 or 16 for codes, 32 for floats.
     int depth = 8;

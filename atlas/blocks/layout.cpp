@@ -156,8 +156,8 @@ Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity,
 std::uint32_t smallest_size(std::size_t triangles, const AtlasOptions& options) {
     // A single triangle takes one texel step each way: 2 x 2 texels with corners on centres. In a
     // quad atlas one texel holds a triangle; a patch atlas that does not fit is replaced by it.
-    const bool quad = options.kind == AtlasKind::quad ||
-                      options.kind == AtlasKind::patch || options.kind == AtlasKind::chart;
+    const bool quad = options.kind == AtlasKind::quad || options.kind == AtlasKind::patch ||
+                      options.kind == AtlasKind::chart;
     const std::uint64_t cell = !is_strips(options.kind) ? 1 : 1 + border_texels(options.overscan);
     auto side = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(triangles)));
     while (side * side < triangles) ++side;

@@ -129,9 +129,10 @@ std::uint32_t last_source_level(const MeshAtlas& atlas) {
         return pure - (patches->layout.gutter > 0 && pure > 0 ? 1 : 0);
     }
     const Atlas& layout = atlas.atlas();
+    if (layout.options.kind == AtlasKind::chart) return std::max(last_pure_level(atlas), 1u) - 1;
     const double texels = std::pow(double(layout.options.size), 2.0);
     const std::size_t blocks =
-        has_outlines(layout.options.kind) ? layout.chart_count : layout.blocks.size();
+        layout.options.kind == AtlasKind::uv ? layout.chart_count : layout.blocks.size();
     const double block = std::sqrt(texels / double(std::max<std::size_t>(blocks, 1)));
     return log2_floor(std::max(std::uint32_t(block), 1u));
 }

@@ -17,13 +17,15 @@ std::uint32_t last_level(const MeshAtlas& atlas);
 
 /// The last level at which no texel covers two blocks: log2 of the largest power of two that
 /// divides the texture's side and, for patches with gutters of g texels, 2g (2 where g = 0), for
-/// charts the side of a cell (outline_cell()), or, for quad, is at most the narrowest block's side; 0 for strips and uv.
+/// charts the side of a cell (outline_cell()), or, for quad, is at most the narrowest block's side;
+/// 0 for strips and uv.
 std::uint32_t last_pure_level(const MeshAtlas& atlas);
 
 /// The last level that is worth working out from the surface instead of from finer levels
-/// (app/pipeline/direct_levels.h): for patches the last level whose texels are gutter or surface
-/// and not both, else log2 of the side of a block (chart and uv: a chart's share) of mean area, beyond which
-/// the map under a texel's centre says little about all that the texel covers.
+/// (app/pipeline/direct_levels.h): for patches and charts the last level whose texels are gutter or
+/// surface and not both, or half of each at most; else log2 of the side of a block (uv: a chart's
+/// share) of mean area, beyond which the map under a texel's centre says little about all that the
+/// texel covers.
 std::uint32_t last_source_level(const MeshAtlas& atlas);
 
 /// The share of each of the level's texels that shows surface, 0..1; in level 0 it is 1, or 0 in

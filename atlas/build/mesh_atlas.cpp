@@ -8,6 +8,7 @@
 #include "atlas/base/memory.h"
 #include "atlas/build/capacity.h"
 #include "atlas/outline/layout.h"
+#include "atlas/outline/raster.h"
 #include "atlas/read/pose.h"
 #include "atlas/uv/layout.h"
 #include "atlas/uv/raster.h"
@@ -62,7 +63,8 @@ std::optional<MeshAtlas> pack(const Mesh& mesh, const Connectivity& connectivity
 SolidAtlas rasterized(const Mesh& input, const MeshAtlas& atlas, std::span<const Vec3d> positions) {
     if (const PatchAtlas* patches = atlas.patches()) return rasterize_patches(*patches, positions);
     const Atlas& own = atlas.atlas();
-    return has_outlines(own.options.kind) ? rasterize_uv_charts(input, own, positions)
+    if (own.options.kind == AtlasKind::chart) return rasterize_charts(input, own, positions);
+    return own.options.kind == AtlasKind::uv ? rasterize_uv_charts(input, own, positions)
                                              : rasterize(input, own, positions);
 }
 

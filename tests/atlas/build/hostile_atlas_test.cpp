@@ -61,8 +61,8 @@ void expect_sound(const Mesh& mesh, const MeshAtlas& made, std::uint32_t size) {
     for (const auto& corners : atlas.corners)
         for (const Vec2d& corner : corners) EXPECT_TRUE(std::isfinite(corner.x + corner.y));
     const std::size_t owned = owned_texels(rasterize(mesh, made, surface.positions));
-    const bool fills = made.patches() || atlas.options.kind == AtlasKind::chart ||
-                       std::has_single_bit(size);
+    const bool fills =
+        made.patches() || atlas.options.kind == AtlasKind::chart || std::has_single_bit(size);
     EXPECT_GT(owned, 0u);
     EXPECT_TRUE(!fills || owned == std::size_t{size} * size);
     const TexelMetrics texels = measure_texels(atlas);
