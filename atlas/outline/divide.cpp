@@ -70,7 +70,7 @@ class Division {
           }) {}
 
     /// Flattens shells that need no division, and then the regions in all others.
-    FlatCharts flatten_shells(const Regions& shells, Regions regions) {
+    FlatCharts flatten_shells(const Regions& shells) {
         std::vector<std::optional<FlatChart>> whole(shells.size());
         tbb::parallel_for(std::size_t(0), shells.size(), [&](std::size_t i) {
             if (!options_.stop.stop_requested()) whole[i] = flatten_whole(shells[i]);
@@ -83,6 +83,7 @@ class Division {
             result.charts.push_back(std::move(*whole[i]));
         }
         if (result.charts.size() == shells.size()) return result;
+        Regions regions = partition_mesh(mesh_, connectivity_, options_.partition);
         std::erase_if(regions, [&](const auto& region) { return done[region.front()]; });
         FlatCharts others = flatten_all(regions);
         std::ranges::move(others.charts, std::back_inserter(result.charts));
@@ -141,9 +142,7 @@ class Division {
         auto map = map_freely(patch, {.wanted = most});
         if (!map || !(map->energy <= most) || overlaps_itself(patch, map->places))
             return std::nullopt;
-        FlatChart chart = chart_of(patch, std::move(map->places));
-        chart.energy = map->energy;
-        return chart;
+        return chart_of(patch, std::move(map->places));
     }
 
     /// Closes small holes and slits tubes; false if the patch is no disk then.
@@ -169,21 +168,12 @@ class Division {
 
 }  // namespace
 
-double mean_energy(const FlatCharts& flat) {
-    double sum = 0.0, area = 0.0;
-    for (const FlatChart& chart : flat.charts) {
-        sum += chart.energy * chart.area;
-        area += chart.area;
-    }
-    return area > 0.0 ? sum / area : 1.0;
-}
-
 FlatCharts divide_into_charts(const Mesh& mesh, const Connectivity& connectivity,
-                              const Regions& regions, const DivisionOptions& options) {
+                              const DivisionOptions& options) {
     double area = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_area(mesh, t);
-    FlatCharts result = Division(mesh, connectivity, area, options)
-                            .flatten_shells(shells_of(mesh, connectivity), regions);
+    FlatCharts result =
+        Division(mesh, connectivity, area, options).flatten_shells(shells_of(mesh, connectivity));
     std::ranges::sort(result.unmapped);
     return result;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Division of a mesh into charts with nearly isometric maps: shells that lie flat are charts as
-// they are, and so are the regions of all others, each flattened with a free outline, and halved
-// where that distorts it too much or makes it overlap itself.
+// they are, all others are partitioned into few regions, each flattened with a free outline, and
+// halved where that distorts it too much or makes it overlap itself.
 #include <cstdint>
 #include <stop_token>
 #include <vector>
@@ -20,11 +20,11 @@ struct FlatChart {
     std::vector<Vec2d> places;         ///< place of each vertex, in units of the mesh
     std::vector<Vec2d> outline;        ///< outer border, counter-clockwise
     double area = 0.0;                 ///< area of the triangles on the mesh
-    double energy = 1.0;               ///< energy of the map (FreeMap::energy)
 };
 
 /// Limits of distortion.
 struct DivisionOptions {
+    PartitionOptions partition{.patches = 8, .seed = 1, .least_share = 0.05};
     /// Largest energy of a chart (FreeMap::energy).
     double most_energy = 1.04;
     std::stop_token stop{};
@@ -36,13 +36,10 @@ struct FlatCharts {
     std::vector<std::uint32_t> unmapped;  ///< triangles without area or map, ascending
 };
 
-/// Mean over the area of the charts' energies.
-double mean_energy(const FlatCharts& flat);
-
-/// Flattens the mesh divided into these regions (partition_mesh(), crease_regions()); every
-/// triangle is in one chart or unmapped. Parts are flattened in parallel; the result does not
-/// depend on the number of threads. Once a stop is requested what is left is unmapped.
+/// Flattens the mesh; every triangle is in one chart or unmapped. Parts are flattened in parallel;
+/// the result does not depend on the number of threads. Once a stop is requested what is left is
+/// unmapped.
 FlatCharts divide_into_charts(const Mesh& mesh, const Connectivity& connectivity,
-                              const Regions& regions, const DivisionOptions& options = {});
+                              const DivisionOptions& options = {});
 
 }  // namespace burl

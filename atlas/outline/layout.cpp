@@ -1,10 +1,9 @@
-// The steps, in order: the mesh in the unit frame, one or two divisions into flat charts (divide),
-// each turned into the rectangle of least area round it, all packed (pack), the division of least
-// cost, and the corners of its triangles in texels.
+// The steps, in order: the mesh in the unit frame, its division into flat charts (divide), each
+// turned into the rectangle of least area round it, all packed (pack), and the corners of the
+// triangles in texels.
 #include "atlas/outline/layout.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <unordered_map>
 
@@ -14,12 +13,6 @@
 
 namespace burl {
 namespace {
-
-constexpr PartitionOptions partition{.patches = 8, .seed = 1, .least_share = 0.05};
-constexpr double crease_degrees = 30.0;
-/// The cost of a division is the area of a texel on the surface times this power of the mean
-/// energy, and half a per cent more for each chart, whose borders blur the upper levels.
-constexpr double energy_power = 8.0, per_chart = 0.005;
 
 /// The convex hull of points, counter-clockwise (Andrew's monotone chain, 1979).
 std::vector<Vec2d> hull_of(std::vector<Vec2d> points) {
@@ -95,59 +88,26 @@ void place_unmapped(const Mesh& mesh, const FlatCharts& flat, Atlas& atlas) {
     }
 }
 
-/// The divisions that are tried: a partition, and the creases where they divide the mesh well.
-std::vector<Regions> divisions(const Mesh& mesh, const Connectivity& connectivity) {
-    std::vector<Regions> all{partition_mesh(mesh, connectivity, partition)};
-    Regions creases = crease_regions(mesh, connectivity, crease_degrees, partition);
-    if (divides_well(mesh, creases)) all.push_back(std::move(creases));
-    return all;
-}
-
-/// A division, packed.
-struct Candidate {
-    FlatCharts flat;
-    Packing packing;
-    double cost = 0.0;
-};
-
-std::optional<Candidate> candidate(const Mesh& mesh, const Connectivity& connectivity,
-                                   const Regions& regions, std::uint32_t size,
-                                   const std::stop_token& stop) {
-    Candidate result{divide_into_charts(mesh, connectivity, regions, {.stop = stop}), {}};
-    if (stop.stop_requested()) return std::nullopt;
-    std::vector<Outline> outlines;
-    for (FlatChart& chart : result.flat.charts) {
-        straighten(chart);
-        outlines.push_back({chart.outline, chart.area});
-    }
-    std::optional<Packing> packing = pack_outlines(outlines, size);
-    if (!packing) return std::nullopt;
-    result.packing = std::move(*packing);
-    result.cost = std::pow(mean_energy(result.flat), energy_power) *
-                  (1.0 + per_chart * double(outlines.size())) /
-                  (result.packing.scale * result.packing.scale);
-    return result;
-}
-
 }  // namespace
 
 std::optional<Atlas> layout_charts(const Mesh& mesh, const Connectivity& connectivity,
                                    const AtlasOptions& options, const std::stop_token& stop) {
-    const Mesh unit = in_unit_frame(mesh);
-    std::optional<Candidate> best;
-    for (const Regions& regions : divisions(unit, connectivity)) {
-        std::optional<Candidate> other = candidate(unit, connectivity, regions, options.size, stop);
-        if (stop.stop_requested()) return std::nullopt;
-        if (other && (!best || other->cost < best->cost)) best = std::move(other);
+    FlatCharts flat = divide_into_charts(in_unit_frame(mesh), connectivity, {.stop = stop});
+    if (stop.stop_requested()) return std::nullopt;
+    std::vector<Outline> outlines;
+    for (FlatChart& chart : flat.charts) {
+        straighten(chart);
+        outlines.push_back({chart.outline, chart.area});
     }
-    if (!best) return std::nullopt;
+    const std::optional<Packing> packing = pack_outlines(outlines, options.size);
+    if (!packing) return std::nullopt;
     Atlas atlas;
     atlas.options = options;
     atlas.notes.texels_total = std::uint64_t{options.size} * options.size;
     atlas.corners.resize(mesh.triangles.size());
     atlas.charts.resize(mesh.triangles.size());
-    place_charts(best->flat, best->packing, atlas);
-    place_unmapped(mesh, best->flat, atlas);
+    place_charts(flat, *packing, atlas);
+    place_unmapped(mesh, flat, atlas);
     return atlas;
 }
 

@@ -84,6 +84,22 @@ void lay_out(PatchCandidate& candidate, std::uint32_t size, int layouts) {
     candidate.layout = std::move(*layout);
 }
 
+/// Whether regions along creases are worth judging: the largest has at most 60 % of the area, and
+/// at least four have more than 2 % each.
+bool divides_well(const Mesh& mesh, const Regions& regions) {
+    double all = 0.0, largest = 0.0;
+    std::vector<double> areas;
+    for (const auto& region : regions) {
+        double area = 0.0;
+        for (const std::uint32_t face : region) area += triangle_area(mesh, face);
+        areas.push_back(area);
+        all += area;
+        largest = std::max(largest, area);
+    }
+    return largest <= 0.6 * all &&
+           std::count_if(areas.begin(), areas.end(), [&](double a) { return a > 0.02 * all; }) >= 4;
+}
+
 PatchMapOptions judging_options(const Try& attempt, const std::stop_token& stop) {
     return {.patches = attempt.partition.patches,
             .most_distortion = attempt.most_distortion,

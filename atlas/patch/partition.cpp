@@ -211,20 +211,6 @@ Regions crease_regions(const Mesh& mesh, const Connectivity& connectivity, doubl
                        connected_components(smooth, Labels(mesh.triangles.size(), 0)), options);
 }
 
-bool divides_well(const Mesh& mesh, const Regions& regions) {
-    double all = 0.0, largest = 0.0;
-    std::vector<double> areas;
-    for (const auto& region : regions) {
-        double area = 0.0;
-        for (const std::uint32_t face : region) area += triangle_area(mesh, face);
-        areas.push_back(area);
-        all += area;
-        largest = std::max(largest, area);
-    }
-    return largest <= 0.6 * all &&
-           std::count_if(areas.begin(), areas.end(), [&](double a) { return a > 0.02 * all; }) >= 4;
-}
-
 Regions regions_of_labels(const Mesh& mesh, const Connectivity& connectivity,
                           std::vector<std::uint32_t> labels) {
     flip_ears(connectivity, labels);

@@ -33,10 +33,6 @@ Regions partition_mesh(const Mesh& mesh, const Connectivity& connectivity,
 Regions crease_regions(const Mesh& mesh, const Connectivity& connectivity, double degrees,
                        const PartitionOptions& options = {});
 
-/// Whether regions along creases are worth trying: the largest has at most 60 % of the area, and at
-/// least four have more than 2 % each.
-bool divides_well(const Mesh& mesh, const Regions& regions);
-
 /// Connected regions of the labels, one label per triangle: ears are flipped, and all components of
 /// a label but the largest are given to the neighbour with which they share most border, if they
 /// have any.
