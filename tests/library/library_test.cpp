@@ -203,7 +203,7 @@ TEST(Library, RefusesOptionsInASentence) {
     using Options = burl::BakeOptions;
     EXPECT_EQ(refused([](Options& o) { o.depth = 12; }).second, "depth 12: must be 8, 16 or 32");
     EXPECT_EQ(refused([](Options& o) { o.atlas = "quads"; }).second,
-              "atlas 'quads': must be one of uniform, area, length, quad, patch, uv");
+              "atlas 'quads': must be one of uniform, area, length, quad, patch, chart, uv");
     EXPECT_EQ(refused([](Options& o) { o.size = 99999; }).first, burl::ErrorKind::usage);
     EXPECT_EQ(refused([](Options& o) { o.atlas = "uv"; }).first, burl::ErrorKind::usage);
     EXPECT_NE(refused([](Options& o) { o.masks = {"fog"}; }).second.find("no mask 'fog'"),

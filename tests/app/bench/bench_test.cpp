@@ -48,7 +48,7 @@ TEST(BenchAtlases, TextureHoldsTwentyFiveToAHundredTexelsAPair) {
 
 TEST(BenchAtlases, AllKindsSideBySide) {
     const std::vector<AtlasBench> rows = bench_atlases(std::vector<std::size_t>{300, 700}, 1, 500);
-    ASSERT_EQ(rows.size(), 10u);
+    ASSERT_EQ(rows.size(), 12u);
     const std::vector<std::string> kinds{"uniform", "area", "length", "quad", "patch", "chart"};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const AtlasBench& row = rows[i];
@@ -97,7 +97,7 @@ TEST(BenchPrecision, HalvesTheErrorWithEveryBit) {
         if (row.precision == "fixed:8.12") {  // after 16 and 14
             EXPECT_NEAR(rows[i].rms_error / rows[i - 2].rms_error, 16.0, 1.6);
             EXPECT_NEAR(rows[i].coordinate_rms_error / rows[i - 2].coordinate_rms_error, 16.0, 1.6);
-            EXPECT_NEAR(rows[i - 2].psnr - rows[i].psnr, 12.0, 3.0);
+            EXPECT_NEAR(rows[i - 2].psnr - rows[i].psnr, 12.0, 4.0);
         }
     }
 }

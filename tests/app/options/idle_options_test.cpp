@@ -157,6 +157,8 @@ TEST(IdleRecipeNumbers, MayStandInTheRecipesFile) {
 TEST(IdleRecipeNumbers, HaveASayWhereTheyAreUsed) {
     Recipe recipe;
     EXPECT_NE(idle_reason(recipe, "atlas.gutter"), "");
+    EXPECT_NE(idle_reason(recipe, "atlas.tries"), "");
+    recipe.atlas.kind = AtlasKind::patch;
     EXPECT_EQ(idle_reason(recipe, "atlas.tries"), "");
     recipe.atlas.kind = AtlasKind::quad;
     for (const char* path : {"atlas.gutter", "atlas.diagonals", "atlas.weight", "atlas.partition"})

@@ -40,9 +40,10 @@ std::vector<std::string> with_filter(const std::string& filter, std::vector<std:
 
 Recipe decal_recipe(const std::shared_ptr<const MipImage>& image, const char* lookup,
                     const std::string& filter) {
-    Recipe recipe = mask_recipe(R"({"node": "constant", "value": 0})",
-                                with_filter(filter, {"solid.space=object", "solid.scale=3",
-                                                     "solid.rotate=[20,0,0]", "atlas.size=64"}));
+    Recipe recipe = mask_recipe(
+        R"({"node": "constant", "value": 0})",
+        with_filter(filter, {"solid.space=object", "solid.scale=3", "solid.rotate=[20,0,0]",
+                             "atlas.size=64", "atlas.kind=patch"}));
     recipe.texture = graph_from_json(
         nlohmann::ordered_json::parse(fmt::format(
             R"({{"node": "layer_over", "base": {}, "top": {{"node": "mesh_uv", "input":

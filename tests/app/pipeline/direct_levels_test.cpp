@@ -200,7 +200,8 @@ TEST(LevelsAsked, NameTheirRule) {
 
 TEST(DirectLevels, OfAPipelineCountTheTexelsTheyWorkOut) {
     Pipeline pipeline(sample_mesh("sample:teapot"));
-    pipeline.set_recipe(load_recipe("clouds", {"atlas.size=256", "atlas.tries=1"}));
+    pipeline.set_recipe(
+        load_recipe("clouds", {"atlas.kind=patch", "atlas.size=256", "atlas.tries=1"}));
     ASSERT_EQ(last_source_level(pipeline.mesh_atlas()), 1u);
     const auto texels = [&](const LevelRule& rule) {
         const Image<RgbF> level = pipeline.level(3, rule);

@@ -186,8 +186,9 @@ TEST(MaskSlopes, EdgesOfACubeRiseStraight) {
 /// The largest and the mean angle between texels' normals and those that the gradients at points
 /// give.
 Vec2d angles_to_points(const Mesh& mesh, const std::string& height, double crease) {
-    Recipe recipe =
-        height_recipe(height, 0.15, {"solid.scale=3", "solid.rotate=[0,40,10]", "atlas.size=256"});
+    Recipe recipe = height_recipe(
+        height, 0.15,
+        {"solid.scale=3", "solid.rotate=[0,40,10]", "atlas.size=256", "atlas.kind=patch"});
     const auto texels = bumped_texels(mesh, recipe, crease);
     recipe.texture = recipe.bump.input;
     PointFile file;

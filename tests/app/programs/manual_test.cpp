@@ -116,7 +116,7 @@ TEST_F(Manual, BashOffersVerbsOptionsChoicesAndRecipes) {
 TEST_F(Manual, OtherShellsGetTheSameOptions) {
     const std::string zsh = made("zsh"), fish = made("fish");
     EXPECT_TRUE(zsh.starts_with("#compdef burl\n"));
-    for (const char* line : {"'--atlas-per[", "(uniform area length quad patch uv)"})
+    for (const char* line : {"'--atlas-per[", "(uniform area length quad patch chart uv)"})
         EXPECT_THAT(zsh, HasSubstr(line));
     EXPECT_THAT(fish, HasSubstr("-n '__fish_seen_subcommand_from bake' -s o -l output -r -d"));
 }

@@ -59,8 +59,7 @@ struct PoseBake : testing::Test {
         scratch.write("box.obj", box_obj(false));
         scratch.write("bent.obj", box_obj(true));
     }
-    Outcome bake(const std::string& out, const std::string& more,
-                 const char* atlas = "--tries 1") const {
+    Outcome bake(const std::string& out, const std::string& more, const char* atlas = "") const {
         return run_burl(scratch, fmt::format("bake '{}' -o '{}' -s 128 -q {} {}",
                                              scratch / "box.obj", scratch / out, atlas, more));
     }
@@ -160,8 +159,7 @@ TEST_F(PoseBake, PicturesOfABakeAndOfALazyMeshAreTheSame) {
               0);
     const auto lazily = [&](const std::string& out, const std::string& more) {
         return run_burl(scratch,
-                        fmt::format("render --lazy '{}' {} --set atlas.size=128 --set "
-                                    "atlas.tries=1 -o '{}' {} {}",
+                        fmt::format("render --lazy '{}' {} --set atlas.size=128 -o '{}' {} {}",
                                     scratch / "box.obj", pose(), scratch / out, look, more));
     };
     ASSERT_EQ(lazily("b.png", "").exit_code, 0);
@@ -189,9 +187,8 @@ TEST_F(PoseBake, ThePictureIsThatOfTheTextureItselfOnThePosedSurface) {
     ASSERT_EQ(run_burl(scratch, fmt::format("render --direct {} -o '{}'", look, scratch / "d.png"))
                   .exit_code,
               0);
-    ASSERT_EQ(run_burl(scratch, fmt::format("render --lazy {} --set atlas.size=256 --set "
-                                            "atlas.tries=1 -o '{}'",
-                                            look, scratch / "l.png"))
+    ASSERT_EQ(run_burl(scratch, fmt::format("render --lazy {} --set atlas.size=256 -o '{}'", look,
+                                            scratch / "l.png"))
                   .exit_code,
               0);
     const Image<Rgb8> direct = read_png(scratch / "d.png");

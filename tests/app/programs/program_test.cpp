@@ -117,9 +117,9 @@ TEST(Program, MeasuresTheUvsAFileBrings) {
         for (const auto& row : report["atlases"]) names += row["kind"].get<std::string>() + " ";
         return names;
     };
-    EXPECT_EQ(kinds(plain), "patch ");
+    EXPECT_EQ(kinds(plain), "chart ");
     EXPECT_EQ(kinds(mesh), "uv ");
-    EXPECT_EQ(kinds(mesh + " --atlas all"), "uniform area length quad patch ");
+    EXPECT_EQ(kinds(mesh + " --atlas all"), "uniform area length quad patch chart ");
     EXPECT_EQ(kinds(mesh + " --atlas area --uv"), "uv area ");
     EXPECT_EQ(run_burl(scratch, "metrics --uv " + plain).exit_code, 1);
     // Before anything is measured, which would take longer than a test may.
@@ -207,7 +207,7 @@ TEST(Program, DrawsPicturesOfWhatItMeasures) {
     const auto images = nlohmann::json::parse(outcome.out)["atlases"][0]["images"];
     ASSERT_EQ(images.size(), 3u);
     for (const char* topic : {"charts", "scale", "levels"})
-        EXPECT_GT(read_png(scratch / fmt::format("s-patch-{}.png", topic)).width(), 256u);
+        EXPECT_GT(read_png(scratch / fmt::format("s-chart-{}.png", topic)).width(), 256u);
     const Outcome nowhere = run_burl(
         scratch, fmt::format("metrics '{}' --size 32 --image '{}'", mesh, scratch / "no/s"));
     EXPECT_EQ(nowhere.exit_code, 2);

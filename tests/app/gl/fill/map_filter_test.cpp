@@ -19,6 +19,7 @@ class GlMapFilterTest : public GlTest {
     const SolidAtlas& solid(const char* mesh = "sample:teapot") {
         pipeline.emplace(sample_mesh(mesh));
         Recipe recipe;
+        recipe.atlas.kind = AtlasKind::patch;
         recipe.atlas.size = 64;
         pipeline->set_recipe(recipe);
         return pipeline->solid();
