@@ -1,7 +1,7 @@
 #pragma once
 // The gutters of a patch atlas's blocks.
-#include "atlas/patch/atlas.h"
 #include "atlas/gutter/gutters.h"
+#include "atlas/patch/atlas.h"
 
 namespace burl {
 

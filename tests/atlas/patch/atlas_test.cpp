@@ -272,7 +272,8 @@ TEST(PatchAtlas, MapsAreOfTheMeshItself) {
 TEST(PatchAtlas, PointsKeepTheirPlacesOnTheRefinedMesh) {
     for (const auto& [name, mesh] : meshes()) {
         SCOPED_TRACE(name);
-        const MeshAtlas atlas = build_atlas(mesh, build_connectivity(mesh), {.size = 256});
+        const MeshAtlas atlas =
+            build_atlas(mesh, build_connectivity(mesh), {.kind = AtlasKind::patch, .size = 256});
         ASSERT_TRUE(atlas.patches());
         const std::vector<SurfacePoint> points = area_uniform_points(mesh, 3000, 1);
         const std::vector<SurfacePoint> moved = refined_points(mesh, atlas, points);
@@ -289,7 +290,8 @@ TEST(PatchAtlas, PointsKeepTheirPlacesOnTheRefinedMesh) {
 
 TEST(PatchAtlas, GivesWayToPairsWhereItDoesNotFit) {
     const Mesh mesh = made::soup(61, 1);
-    const MeshAtlas atlas = build_atlas(mesh, build_connectivity(mesh), {.size = 8});
+    const MeshAtlas atlas =
+        build_atlas(mesh, build_connectivity(mesh), {.kind = AtlasKind::patch, .size = 8});
     EXPECT_FALSE(atlas.patches());
     EXPECT_EQ(atlas.atlas().options.kind, AtlasKind::quad);
     EXPECT_EQ(&atlas.mesh(mesh), &mesh);
