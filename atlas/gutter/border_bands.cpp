@@ -101,11 +101,13 @@ class NearestEdges {
             const Facing own = facing(edges_[i]);
             const auto widest = [&](const EndsInOrder& others, const Vec2d& place, double turn) {
                 Vec2d end = own.out;
+                bool alone = true;
                 others.visit_at(place, [&](std::uint32_t other) {
+                    alone = false;
                     const Vec2d more = band_end(own, facing(edges_[other]), turn);
                     if (glm::dot(more, own.out) < glm::dot(end, own.out)) end = more;
                 });
-                return end;
+                return alone ? turn * own.along : end;
             };
             visit_band(i, own, widest(ends, edges_[i].a, -1.0), widest(starts, edges_[i].b, 1.0));
         }

@@ -100,11 +100,18 @@ bool same_point(const TexelMap& a, const TexelMap& b, std::uint32_t x, std::uint
 Gutter fill_gutter(const ChartedMesh& mesh, const EdgeNeighbours& neighbours,
                    std::span<const ChartEdge> edges, std::span<const TexelGap> gaps,
                    const TexelBox& box, const GutterOptions& options) {
-    const std::vector<std::uint32_t> nearest = nearest_edges(edges, gaps, options.reach);
+    return fill_gutter(mesh, neighbours, edges, gaps, nearest_edges(edges, gaps, options.reach),
+                       box, options);
+}
+
+Gutter fill_gutter(const ChartedMesh& mesh, const EdgeNeighbours& neighbours,
+                   std::span<const ChartEdge> edges, std::span<const TexelGap> gaps,
+                   std::span<const std::uint32_t> nearest, const TexelBox& box,
+                   const GutterOptions& options) {
     GutterFiller filler(mesh, neighbours, edges, box, options);
     std::size_t first = 0;
     for (const TexelGap& gap : gaps) {
-        filler.fill(gap, std::span(nearest).subspan(first, gap.count));
+        filler.fill(gap, nearest.subspan(first, gap.count));
         first += gap.count;
     }
     return filler.take();

@@ -66,9 +66,10 @@ std::optional<PatchAtlas> build_patch_atlas(const Mesh& mesh, const Connectivity
                                             const std::stop_token& stop = {});
 
 /// The solid points of all texels. `positions` are the refined mesh's points in the space wanted.
-/// Inner texels show the triangle at their centre; gutters continue the block by odd reflection,
-/// s(-k) = 2 s(0) - s(k), a planar patch's block by its plane. Spans name maps: those of the
-/// refined mesh's triangles come first, then those of gutters, closed holes and planes.
+/// Inner texels show the triangle at their centre; gutters show the surface that goes on beyond the
+/// patch's border (block_gutters.h), around a planar patch as far as two gutters, and farther out
+/// its plane. Spans name maps: those of the refined mesh's triangles come first, then those of
+/// gutters, closed holes and planes.
 SolidAtlas rasterize_patches(const PatchAtlas& atlas, std::span<const Vec3d> positions);
 
 /// Gives the vertices of maps made in the unit frame the mesh's own positions, and planes, areas

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "atlas/solid/texel_rows.h"
 #include "atlas/uv/claims.h"
 
 namespace burl {
@@ -103,28 +102,6 @@ TexelMap zone_map(const BorderEdge& edge, const TexelMap& map, BorderZone zone) 
     result.step_y = along.y * change;
     result.origin -= from_anchor.x * result.step_x + from_anchor.y * result.step_y;
     return result;
-}
-
-Image<std::uint32_t> nearest_borders(const Image<std::uint32_t>& owner,
-                                     std::span<const BorderEdge> edges, double reach) {
-    const auto columns = std::uint32_t(owner.width()), rows = std::uint32_t(owner.height());
-    Image<std::uint32_t> nearest(columns, rows, unclaimed);
-    Image<float> distances(columns, rows, float(reach));
-    for (std::uint32_t e = 0; e < edges.size(); ++e) {
-        const BorderEdge& edge = edges[e];
-        const std::array<Vec2d, 3> thin{edge.from, edge.to, edge.to};
-        visit_slices(thin, rows, reach, [&](std::uint32_t y, const Interval& x) {
-            const TexelRun run = centres_within(x.low - reach, x.high + reach, columns);
-            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-                if (owner(i, y) != unclaimed) continue;
-                const auto distance = float(edge.distance({i + 0.5, y + 0.5}));
-                if (!(distance < distances(i, y))) continue;
-                distances(i, y) = distance;
-                nearest(i, y) = e;
-            }
-        });
-    }
-    return nearest;
 }
 
 }  // namespace burl

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "atlas/base/image.h"
 #include "atlas/solid/solid_atlas.h"
 
 namespace burl {
@@ -44,10 +43,5 @@ BorderZone zone_of(const BorderEdge& edge, const Vec2d& at);
 /// straight out from the nearest place of the edge, or that place; it is constant but along the
 /// edge. `map` is the triangle's.
 TexelMap zone_map(const BorderEdge& edge, const TexelMap& map, BorderZone zone);
-
-/// For each texel that nobody owns, the number of the nearest border edge up to `reach` texels
-/// away, else `unclaimed` (claims.h); of equally near ones the lowest.
-Image<std::uint32_t> nearest_borders(const Image<std::uint32_t>& owner,
-                                     std::span<const BorderEdge> edges, double reach);
 
 }  // namespace burl

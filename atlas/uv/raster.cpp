@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -21,6 +20,20 @@ namespace {
 /// Number of zones of a border edge that have maps of their own.
 constexpr std::uint32_t zones = 6;
 
+/// The texels that nobody owns.
+std::vector<TexelGap> gaps_of(const Image<std::uint32_t>& owner) {
+    std::vector<TexelGap> gaps;
+    for (std::uint32_t y = 0; y < owner.height(); ++y)
+        for (std::uint32_t x = 0; x < owner.width(); ++x) {
+            if (owner(x, y) != unclaimed) continue;
+            if (x > 0 && owner(x - 1, y) == unclaimed)
+                ++gaps.back().count;
+            else
+                gaps.push_back({y, x, 1});
+        }
+    return gaps;
+}
+
 /// Makes the spans and maps of a uv atlas's texture.
 class UvRasterizer {
   public:
@@ -30,7 +43,8 @@ class UvRasterizer {
           positions_(positions),
           owner_(claim_texels(atlas).owner),
           edges_(border_edges(atlas)),
-          border_(nearest_borders(owner_, edges_, exact_reach)) {}
+          walked_(owner_.width(), owner_.height(), unclaimed),
+          border_(owner_.width(), owner_.height(), unclaimed) {}
 
     SolidAtlas run() {
         solid_.size = atlas_.options.size;
@@ -43,38 +57,30 @@ class UvRasterizer {
     }
 
   private:
-    /// Fills texels near charts that the border triangle's map does not go on to with the surface
-    /// beyond the border, where there is some.
+    /// Finds the nearest border edges of texels near charts, and fills those that the border
+    /// triangle's map does not go on to with the surface beyond the border, where there is some.
     void fill_gutters() {
         const ChartedMesh charted{mesh_.triangles, positions_, atlas_.corners, atlas_.charts};
         const EdgeNeighbours neighbours(mesh_.triangles, positions_);
         std::vector<ChartEdge> edges;
         for (const BorderEdge& edge : edges_)
-            if (edge.from != edge.to)
-                edges.push_back(chart_edge(charted, 3 * edge.triangle + edge.corner));
-        gutter_ = fill_gutter(
-            charted, neighbours, edges, gaps(),
-            {0, 0, atlas_.options.columns(), atlas_.options.rows()},
-            {.reach = getenv("GUT_R") ? atof(getenv("GUT_R")) : 16.0, .leaves_open = true});
-        walked_ = Image<std::uint32_t>(owner_.width(), owner_.height(), unclaimed);
+            edges.push_back(chart_edge(charted, 3 * edge.triangle + edge.corner));
+        std::vector<TexelGap> gaps = gaps_of(owner_);
+        std::vector<std::uint32_t> nearest = nearest_edges(edges, gaps, reach());
+        auto known = nearest.begin();
+        for (const TexelGap& gap : gaps) {
+            std::copy_n(known, gap.count, &border_(gap.x, gap.y));
+            known += gap.count;
+        }
+        gutter_ = fill_gutter(charted, neighbours, edges, gaps, nearest,
+                              {0, 0, atlas_.options.columns(), atlas_.options.rows()},
+                              {.leaves_open = true});
         for (const GutterRun& run : gutter_.runs)
             std::fill_n(&walked_(run.x, run.y), run.count, run.map);
     }
 
-    /// The texels that nobody owns.
-    std::vector<TexelGap> gaps() const {
-        std::vector<TexelGap> gaps;
-        for (std::uint32_t y = 0; y < owner_.height(); ++y)
-            for (std::uint32_t x = 0; x < owner_.width(); ++x) {
-                if (owner_(x, y) != unclaimed) continue;
-                const bool goes_on = x > 0 && owner_(x - 1, y) == unclaimed;
-                if (goes_on)
-                    ++gaps.back().count;
-                else
-                    gaps.push_back({y, x, 1});
-            }
-        return gaps;
-    }
+    /// Distance from a chart, in texels, up to which texels may show the surface beyond its border.
+    double reach() const { return std::max(exact_reach, solid_.size / 64.0); }
 
     std::uint32_t triangles() const { return std::uint32_t(mesh_.triangles.size()); }
 
@@ -99,8 +105,7 @@ class UvRasterizer {
                          const NearestClaims::Place& place) const {
         const std::uint32_t e = border_(place.x, place.y);
         const std::uint32_t walked = walked_(x, y);
-        if (walked != unclaimed &&
-            (e == unclaimed || zone_of(edges_[e], {x + 0.5, y + 0.5}) != BorderZone::near))
+        if (walked != unclaimed && zone_of(edges_[e], {x + 0.5, y + 0.5}) != BorderZone::near)
             return first_walked() + walked;
         return e == unclaimed ? owner_(place.x, place.y) : map_beyond(e, x, y);
     }

@@ -12,7 +12,7 @@
 #include "atlas/build/mesh_atlas.h"
 #include "atlas/uv/layout.h"
 #include "atlas/uv/raster.h"
-#include "tests/atlas/support/made_meshes.h"
+#include "tests/atlas/support/made_patches.h"
 
 namespace burl {
 namespace {
@@ -265,6 +265,35 @@ TEST(UvAtlas, MissingAndUselessCoordinatesAreNamed) {
     const UvShown all = shown_uvs(wild, uv_options(16));
     EXPECT_EQ(all.atlas.notes.flat_triangles, 1u);
     for (const std::uint32_t t : all.triangles.pixels()) EXPECT_EQ(t, 1u);
+}
+
+TEST(UvAtlas, TexelsBesideAChartShowTheSurfaceOnTheOtherSideOfItsBorder) {
+    // Two halves of a ball, each seen from the other pole: the lower one is mirrored.
+    Mesh mesh = made::ball(4);
+    for (const Triangle& t : mesh.triangles) {
+        double z = 0.0;
+        for (const std::uint32_t p : t) z += mesh.positions[p].z;
+        for (const std::uint32_t p : t) {
+            const Vec3d& at = mesh.positions[p];
+            mesh.corners.uvs.push_back(Vec2d(z < 0.0 ? 0.75 : 0.25, 0.5) +
+                                       0.2 / (1.0 + std::abs(at.z)) * Vec2d(at));
+        }
+    }
+    const UvShown all = shown_uvs(mesh, uv_options(128));
+    int beyond = 0;
+    for (std::size_t y = 0; y < 128; ++y)
+        for (std::size_t x = 0; x < 128; ++x) {
+            const bool lower = x >= 64;
+            const Vec2d middle(lower ? 96.0 : 32.0, 64.0);
+            const double away = glm::distance(Vec2d(double(x) + 0.5, double(y) + 0.5), middle);
+            if (away < 25.6 + 1.5 || away > 25.6 + 6.0) continue;
+            const Vec3d point = all.points(x, y);
+            EXPECT_TRUE(made::lies_on(mesh, point, 1e-12)) << x << ", " << y;
+            EXPECT_TRUE(lower ? point.z > 0.0 : point.z < 0.0) << x << ", " << y;
+            EXPECT_EQ(mesh.corners.uvs[3 * all.triangles(x, y)].x > 0.5, lower);
+            ++beyond;
+        }
+    EXPECT_GT(beyond, 1000);
 }
 
 TEST(UvAtlas, IsTheSameForAllNumbersOfThreads) {
