@@ -926,7 +926,7 @@ class Bake:
         self.folder, self.thing, self.y_up, self.name = tempfile.mkdtemp(dir=folder), thing, y_up, name
         self.stem = bpy.path.clean_name(f"{thing.name} {name}")
         write_obj(thing.data, self.path("mesh.obj"), y_up, uv_layer)
-        arguments = ("mesh.obj", "-o", self.stem + ".obj", *recipe_arguments, "--size", str(size), "--atlas", "patch", "--json")
+        arguments = ("mesh.obj", "-o", self.stem + ".obj", *recipe_arguments, "--size", str(size), "--atlas", "chart", "--json")
         self.report = json.loads(run("bake", *arguments, folder=self.folder))
 
     def path(self, file):
