@@ -129,7 +129,7 @@ std::uint32_t last_source_level(const MeshAtlas& atlas) {
         return pure - (patches->layout.gutter > 0 && pure > 0 ? 1 : 0);
     }
     const Atlas& layout = atlas.atlas();
-    if (layout.options.kind == AtlasKind::chart) return std::max(last_pure_level(atlas), 1u) - 1;
+    if (layout.options.kind == AtlasKind::chart) return last_pure_level(atlas);
     const double texels = std::pow(double(layout.options.size), 2.0);
     const std::size_t blocks =
         layout.options.kind == AtlasKind::uv ? layout.chart_count : layout.blocks.size();

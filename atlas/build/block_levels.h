@@ -22,8 +22,8 @@ std::uint32_t last_level(const MeshAtlas& atlas);
 std::uint32_t last_pure_level(const MeshAtlas& atlas);
 
 /// The last level that is worth working out from the surface instead of from finer levels
-/// (app/pipeline/direct_levels.h): for patches and charts the last level whose texels are gutter or
-/// surface and not both, or half of each at most; else log2 of the side of a block (uv: a chart's
+/// (app/pipeline/direct_levels.h): for patches the last level whose texels are gutter or surface
+/// and not both, for charts the last pure level, else log2 of the side of a block (uv: a chart's
 /// share) of mean area, beyond which the map under a texel's centre says little about all that the
 /// texel covers.
 std::uint32_t last_source_level(const MeshAtlas& atlas);

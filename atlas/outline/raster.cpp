@@ -21,13 +21,19 @@ constexpr std::uint32_t walked_share = 64;
 /// Distance from a border, in texels, within which bilinear lookups of the chart may read.
 constexpr double own_plane = 1.5;
 
+/// A cell beside charts that shows a triangle near by.
+struct FarCell {
+    std::uint32_t x = 0, y = 0, triangle = 0;
+    bool operator==(const FarCell&) const = default;
+};
+
 /// The spans of a band's rows. Maps from the number of the mesh's triangles on are the gutter's,
-/// and after those come `cells`: triangles whose first corner is shown.
+/// and after those come those of `cells`.
 struct BandSpans {
     std::vector<Span> spans;
     std::vector<std::size_t> row_end;  ///< end of each row in spans
     Gutter gutter;
-    std::vector<std::uint32_t> cells;
+    std::vector<FarCell> cells;
 };
 
 /// For each cell of a grid the triangle that stands for it: the first with its first corner there,
@@ -38,7 +44,8 @@ class NearTriangles {
         : cell_(cell), side_((atlas.options.size + cell - 1) / cell), near_(side_, side_, nobody) {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> queue;
         for (std::uint32_t t = 0; t < atlas.corners.size(); ++t) {
-            const Vec2d& q = atlas.corners[t][0];
+            const auto& [q, b, c] = atlas.corners[t];
+            if (!(cross(b - q, c - q) > 0.0)) continue;
             take(queue, std::uint32_t(q.x) / cell_, std::uint32_t(q.y) / cell_, t);
         }
         for (std::size_t i = 0; i < queue.size(); ++i) {
@@ -51,7 +58,16 @@ class NearTriangles {
         }
     }
 
-    std::uint32_t at(std::uint32_t x, std::uint32_t y) const { return near_(x / cell_, y / cell_); }
+    /// The cell of texel (x, y).
+    FarCell at(std::uint32_t x, std::uint32_t y) const {
+        return {x / cell_, y / cell_, near_(x / cell_, y / cell_)};
+    }
+    /// The map that shows a triangle's first corner in the middle of the cell, and from there goes
+    /// on as the triangle's own.
+    TexelMap map_of(const FarCell& cell, const TexelMap& own, const Vec3d& corner) const {
+        const auto middle = [&](std::uint32_t at) { return std::int32_t(at * cell_ + cell_ / 2); };
+        return {corner, own.step_x, own.step_y, middle(cell.x), middle(cell.y)};
+    }
     std::uint32_t end_of_cell(std::uint32_t x) const { return (x / cell_ + 1) * cell_; }
 
   private:
@@ -94,6 +110,8 @@ class BandFiller {
 
     std::uint32_t size() const { return atlas_.options.size; }
     std::uint32_t bands() const { return (size() + band_rows - 1) / band_rows; }
+
+    const NearTriangles& near() const { return near_; }
 
     BandSpans fill(std::uint32_t band) const {
         const std::uint32_t first = band * band_rows;
@@ -172,11 +190,11 @@ class BandFiller {
 
     /// The number of a map that shows a triangle near texel (x, y).
     std::uint32_t far_map(BandSpans& band, std::uint32_t x, std::uint32_t y) const {
-        const std::uint32_t t = near_.at(x, y);
-        auto found = std::ranges::find(band.cells, t);
-        if (found == band.cells.end()) found = band.cells.insert(found, t);
-        return triangles() + std::uint32_t(band.gutter.maps.size()) +
-               std::uint32_t(found - band.cells.begin());
+        const FarCell cell = near_.at(x, y);
+        const auto found = std::ranges::find(band.cells, cell);
+        const auto number = std::uint32_t(found - band.cells.begin());
+        if (found == band.cells.end()) band.cells.push_back(cell);
+        return triangles() + std::uint32_t(band.gutter.maps.size()) + number;
     }
 
     const Atlas& atlas_;
@@ -189,7 +207,8 @@ class BandFiller {
 };
 
 /// Appends a band's spans and maps.
-void append(BandSpans band, const Mesh& mesh, std::span<const Vec3d> positions, SolidAtlas& solid) {
+void append(BandSpans band, const NearTriangles& near, const Mesh& mesh,
+            std::span<const Vec3d> positions, SolidAtlas& solid) {
     const auto triangles = std::uint32_t(mesh.triangles.size());
     const auto shift = std::uint32_t(solid.maps.size()) - triangles;
     const std::size_t first = solid.spans.size();
@@ -200,9 +219,10 @@ void append(BandSpans band, const Mesh& mesh, std::span<const Vec3d> positions, 
     solid.maps.insert(solid.maps.end(), band.gutter.maps.begin(), band.gutter.maps.end());
     solid.turned.insert(solid.turned.end(), band.gutter.triangles.begin(),
                         band.gutter.triangles.end());
-    for (const std::uint32_t t : band.cells) {
-        solid.maps.push_back({positions[mesh.triangles[t][0]], Vec3d(0.0), Vec3d(0.0), 0, 0});
-        solid.turned.push_back(t);
+    for (const FarCell& cell : band.cells) {
+        const Vec3d& corner = positions[mesh.triangles[cell.triangle][0]];
+        solid.maps.push_back(near.map_of(cell, TexelMap(solid.maps[cell.triangle]), corner));
+        solid.turned.push_back(cell.triangle);
     }
 }
 
@@ -229,7 +249,8 @@ SolidAtlas rasterize_charts(const Mesh& mesh, const Atlas& atlas,
     for (const BandSpans& band : bands) spans += band.spans.size();
     solid.spans.reserve(spans);
     solid.row_begin.push_back(0);
-    for (BandSpans& band : bands) append(std::exchange(band, {}), mesh, positions, solid);
+    for (BandSpans& band : bands)
+        append(std::exchange(band, {}), filler.near(), mesh, positions, solid);
     return solid;
 }
 

@@ -12,8 +12,8 @@ namespace burl {
 /// points in the space wanted. A texel whose centre lies in or on a triangle shows the first such
 /// triangle. One within N/64 texels of a border shows what a straight walk over the mesh reaches
 /// beyond it (atlas/gutter/gutters.h), up to 1.5 texels the plane of the border's triangle. All
-/// others show a corner of a triangle near by. Bands of rows are filled in parallel; the result
-/// does not depend on the number of threads.
+/// others show a triangle near by, a cell's texels round its first corner. Bands of rows are filled
+/// in parallel; the result does not depend on the number of threads.
 SolidAtlas rasterize_charts(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3d> positions);
 
 }  // namespace burl

@@ -23,7 +23,7 @@ teapot() { # README, docs/guide/first-bake.md
 atlases() { # docs/guide/atlases.md, docs/reference/atlases.md
     "$burl" metrics sample:teapot --atlas all --levels --size 512 --image "$scratch/teapot" >"$scratch/metrics"
     local kind
-    for kind in {area,quad,patch}-{charts,levels} {area,patch}-scale; do
+    for kind in {area,quad,patch,chart}-{charts,levels} {area,patch}-scale; do
         pngtopnm "$scratch/teapot-$kind.png" | pamscale 0.5 | pnmquant -quiet 256 | pnmtopng -compression 9 >"$here/$kind.png"
     done
 }
