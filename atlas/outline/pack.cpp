@@ -214,6 +214,9 @@ class Grid {
     std::vector<Row> rows_;
 };
 
+/// The masks of all outlines at one scale, in all four turns.
+using Masks = std::vector<std::array<Mask, 4>>;
+
 /// Packs in given orders at given scales.
 class Packer {
   public:
@@ -222,35 +225,40 @@ class Packer {
 
     std::uint32_t cell() const { return cell_; }
 
+    Masks masks(double scale) const {
+        Masks result(outlines_.size());
+        MaskMaker make(scale, cell_);
+        for (std::size_t i = 0; i < result.size(); ++i)
+            for (int quarter = 0; quarter < 4; ++quarter)
+                result[i][std::size_t(quarter)] = make(outlines_[i], quarter);
+        return result;
+    }
+
     /// The outlines' places in the order, or nothing if one finds none.
     std::optional<std::vector<PackedOutline>> pack(std::span<const std::uint32_t> order,
-                                                   double scale) const {
+                                                   const Masks& masks) const {
         std::vector<PackedOutline> result(outlines_.size());
-        MaskMaker make(scale, cell_);
         Grid grid(side_);
         for (const std::uint32_t i : order)
-            if (!place(make, grid, outlines_[i], result[i])) return std::nullopt;
+            if (!place(masks[i], grid, result[i])) return std::nullopt;
         return result;
     }
 
   private:
-    static double lowest_first(const Mask& mask, std::uint32_t y) { return y + mask.weight_y; }
-
-    bool place(MaskMaker& make, Grid& grid, const Outline& outline, PackedOutline& result) const {
-        double best = std::numeric_limits<double>::infinity();
-        Mask best_mask;
+    bool place(const std::array<Mask, 4>& turns, Grid& grid, PackedOutline& result) const {
+        double lowest = std::numeric_limits<double>::infinity();
+        const Mask* best = nullptr;
         std::array<std::uint32_t, 2> at{};
-        for (int quarter = 0; quarter < 4; ++quarter) {
-            Mask mask = make(outline, quarter);
-            const auto free = grid.find(mask, best);
+        for (const Mask& mask : turns) {
+            const auto free = grid.find(mask, lowest);
             if (!free) continue;
-            best = lowest_first(mask, (*free)[1]);
+            lowest = (*free)[1] + mask.weight_y;
             at = *free;
-            best_mask = std::move(mask);
+            best = &mask;
         }
-        if (!std::isfinite(best)) return false;
-        grid.take(best_mask, at[0], at[1]);
-        result = best_mask.placed;
+        if (best == nullptr) return false;
+        grid.take(*best, at[0], at[1]);
+        result = best->placed;
         result.origin += double(cell_) * Vec2d(at[0], at[1]);
         return true;
     }
@@ -289,7 +297,9 @@ class Search {
 
   private:
     bool try_scale(std::span<const std::uint32_t> order, double scale) {
-        auto packed = packer_.pack(order, scale);
+        if (scale != masks_scale_) masks_ = packer_.masks(scale);
+        masks_scale_ = scale;
+        auto packed = packer_.pack(order, masks_);
         if (!packed) return false;
         best_.outlines = std::move(*packed);
         best_.scale = scale;
@@ -329,6 +339,8 @@ class Search {
     std::size_t count_;
     double most_scale_ = 0.0;  ///< scale at which the charts' area is the texture's
     std::vector<std::uint32_t> order_;
+    Masks masks_;  ///< of the scale tried last
+    double masks_scale_ = 0.0;
     Packing best_;
 };
 

@@ -17,7 +17,7 @@ constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t band_rows = 64;  ///< rows of a band
 /// Share of the texture's side up to which texels beside charts show what a walk over the mesh
 /// reaches.
-constexpr std::uint32_t walked_share = 64;
+constexpr std::uint32_t walked_share = 32, least_walked = 8;
 /// Distance from a border, in texels, within which bilinear lookups of the chart may read.
 constexpr double own_plane = 1.5;
 
@@ -90,7 +90,7 @@ class BandFiller {
           charted_{mesh.triangles, positions, atlas.corners, atlas.charts},
           neighbours_(mesh.triangles, positions),
           near_(atlas, outline_cell(size())),
-          reach_(std::max(size() / walked_share, 2u)),
+          reach_(std::max(size() / walked_share, least_walked)),
           triangles_(bands()),
           edges_(bands()) {
         std::vector<std::uint32_t> all(mesh.triangles.size());
