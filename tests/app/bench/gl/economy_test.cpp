@@ -25,7 +25,7 @@ TEST(BenchEconomy, EditsDoWhatTheyChange) {
 
 TEST(BenchEconomy, CoarseLevelsSpareOctaves) {
     double before = -1.0;
-    for (const std::uint32_t level : {0u, 2u, 4u}) {
+    for (const std::uint32_t level : {0u, 1u, 3u}) {
         const SparedOctaves row = spared_by_band_limit("marble", 128, level);
         EXPECT_GT(row.work.texels, 0u);
         EXPECT_GT(row.share(Skip::band_limit), before);
