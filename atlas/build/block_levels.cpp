@@ -115,8 +115,8 @@ std::uint32_t last_pure_level(const MeshAtlas& atlas) {
     }
     if (layout.options.kind == AtlasKind::chart) {
         const std::uint32_t size = layout.options.size;
-        return static_cast<std::uint32_t>(std::min(
-            std::countr_zero(outline_cell(size, layout.chart_count)), std::countr_zero(size)));
+        return static_cast<std::uint32_t>(
+            std::min(std::countr_zero(outline_cell(size)), std::countr_zero(size)));
     }
     if (layout.options.kind != AtlasKind::quad) return 0;
     return std::min(log2_floor(narrowest_block(layout)),

@@ -10,11 +10,9 @@
 namespace burl {
 namespace {
 
-/// Largest sides of the grid, in cells: for few outlines, and for more than `few_outlines`.
-constexpr std::uint32_t coarse_cells = 128, fine_cells = 256;
-constexpr std::size_t few_outlines = 64;
-constexpr std::uint32_t words = fine_cells / 64;  ///< words of a row of the grid
-/// Half of the gutter between two charts, in cells of the coarse grid.
+constexpr std::uint32_t most_cells = 128;  ///< largest side of the grid, in cells
+constexpr std::uint32_t words = 2;         ///< words of a row of the grid
+/// Half of the gutter between two charts, in cells.
 constexpr double half_gutter = 0.25;
 /// Ratio between the scales that are tried until one fits, and halvings of the last step.
 constexpr double scale_step = 0.96;
@@ -39,9 +37,7 @@ Row shifted_down(const Row& row, std::uint32_t by) {
 }
 
 Row operator|(const Row& a, const Row& b) {
-    Row result;
-    for (std::uint32_t i = 0; i < words; ++i) result[i] = a[i] | b[i];
-    return result;
+    return {a[0] | b[0], a[1] | b[1]};
 }
 
 /// Cells [first, first + count) of a row.
@@ -65,8 +61,7 @@ struct Mask {
 /// Draws outlines into masks.
 class MaskMaker {
   public:
-    MaskMaker(double scale, std::uint32_t cell, double gutter)
-        : scale_(scale), cell_(cell), half_gutter_(gutter) {}
+    MaskMaker(double scale, std::uint32_t cell) : scale_(scale), cell_(cell) {}
 
     Mask operator()(const Outline& outline, int quarter) {
         Mask mask;
@@ -77,9 +72,9 @@ class MaskMaker {
             points_.push_back(mask.placed(q) / double(cell_));
             high = glm::max(high, points_.back());
         }
-        mask.width = std::uint32_t(std::floor(high.x + half_gutter_)) + 1;
-        mask.height = std::uint32_t(std::floor(high.y + half_gutter_)) + 1;
-        if (mask.width > fine_cells || mask.height > fine_cells) return mask;
+        mask.width = std::uint32_t(std::floor(high.x + half_gutter)) + 1;
+        mask.height = std::uint32_t(std::floor(high.y + half_gutter)) + 1;
+        if (mask.width > most_cells || mask.height > most_cells) return mask;
         cells_.assign(std::size_t(mask.width) * mask.height, 0);
         draw_inside(mask);
         draw_border(mask);
@@ -96,7 +91,7 @@ class MaskMaker {
         PackedOutline placed{scale_ * Vec2d(t[0], t[1]), scale_ * Vec2d(t[2], t[3]), Vec2d(0.0)};
         Vec2d low(std::numeric_limits<double>::infinity());
         for (const Vec2d& q : outline.points) low = glm::min(low, placed(q));
-        placed.origin = half_gutter_ * double(cell_) - low;
+        placed.origin = half_gutter * double(cell_) - low;
         return placed;
     }
 
@@ -128,10 +123,10 @@ class MaskMaker {
                 const auto cell = [&](double at, std::uint32_t side) {
                     return std::uint32_t(std::clamp(std::floor(at), 0.0, side - 1.0));
                 };
-                const std::uint32_t x1 = cell(q.x + half_gutter_, mask.width);
-                const std::uint32_t y1 = cell(q.y + half_gutter_, mask.height);
-                for (std::uint32_t y = cell(q.y - half_gutter_, mask.height); y <= y1; ++y)
-                    for (std::uint32_t x = cell(q.x - half_gutter_, mask.width); x <= x1; ++x)
+                const std::uint32_t x1 = cell(q.x + half_gutter, mask.width);
+                const std::uint32_t y1 = cell(q.y + half_gutter, mask.height);
+                for (std::uint32_t y = cell(q.y - half_gutter, mask.height); y <= y1; ++y)
+                    for (std::uint32_t x = cell(q.x - half_gutter, mask.width); x <= x1; ++x)
                         cells_[y * mask.width + x] = 1;
             }
         }
@@ -159,7 +154,6 @@ class MaskMaker {
 
     double scale_;
     std::uint32_t cell_;
-    double half_gutter_;         ///< in cells
     std::vector<Vec2d> points_;  ///< corners, in cells
     std::vector<std::uint8_t> cells_;
 };
@@ -198,7 +192,7 @@ class Grid {
                     have += more;
                 }
                 blocked = blocked | shifted_down(taken, run.first);
-                if (blocked == full) return side_;
+                if (blocked[0] == all && blocked[1] == all) return side_;
             }
         for (std::uint32_t i = 0; i < words; ++i)
             if (blocked[i] != all) return 64 * i + std::uint32_t(std::countr_one(blocked[i]));
@@ -206,7 +200,7 @@ class Grid {
     }
 
     static Row columns_beyond(std::uint32_t first) {
-        Row row = full;
+        Row row{all, all};
         for (std::uint32_t i = 0; i < words; ++i)
             if (first >= 64 * (i + 1))
                 row[i] = 0;
@@ -216,7 +210,6 @@ class Grid {
     }
 
     static constexpr std::uint64_t all = ~std::uint64_t(0);
-    static constexpr Row full{all, all, all, all};
     std::uint32_t side_;
     std::vector<Row> rows_;
 };
@@ -228,16 +221,13 @@ using Masks = std::vector<std::array<Mask, 4>>;
 class Packer {
   public:
     Packer(std::span<const Outline> outlines, std::uint32_t size)
-        : outlines_(outlines),
-          cell_(outline_cell(size, outlines.size())),
-          side_(size / cell_),
-          half_gutter_(half_gutter * outline_cell(size, 0) / cell_) {}
+        : outlines_(outlines), cell_(outline_cell(size)), side_(size / cell_) {}
 
     std::uint32_t cell() const { return cell_; }
 
     Masks masks(double scale) const {
         Masks result(outlines_.size());
-        MaskMaker make(scale, cell_, half_gutter_);
+        MaskMaker make(scale, cell_);
         for (std::size_t i = 0; i < result.size(); ++i)
             for (int quarter = 0; quarter < 4; ++quarter)
                 result[i][std::size_t(quarter)] = make(outlines_[i], quarter);
@@ -275,7 +265,6 @@ class Packer {
 
     std::span<const Outline> outlines_;
     std::uint32_t cell_, side_;
-    double half_gutter_;  ///< in cells
 };
 
 /// The search for the order and the scale.
@@ -357,13 +346,12 @@ class Search {
 
 }  // namespace
 
-std::uint32_t outline_cell(std::uint32_t size, std::size_t outlines) {
-    const std::uint32_t most = outlines > few_outlines ? fine_cells : coarse_cells;
-    return std::bit_ceil((size + most - 1) / most);
+std::uint32_t outline_cell(std::uint32_t size) {
+    return std::bit_ceil((size + most_cells - 1) / most_cells);
 }
 
 std::optional<Packing> pack_outlines(std::span<const Outline> outlines, std::uint32_t size) {
-    const std::size_t side = size / outline_cell(size, outlines.size());
+    const std::size_t side = size / outline_cell(size);
     if (outlines.empty() || outlines.size() > side * side) return std::nullopt;
     return Search(outlines, size).run();
 }

@@ -36,10 +36,8 @@ struct Packing {
     std::uint32_t cell = 0;  ///< side of the grid's cells, in texels
 };
 
-/// Side, in texels, of the grid's cells for so many outlines in a texture of `size` texels a side:
-/// a power of two, with which the grid has up to 128 cells a side, or 256 for more than 64
-/// outlines.
-std::uint32_t outline_cell(std::uint32_t size, std::size_t outlines);
+/// Side, in texels, of the grid's cells for a texture of `size` texels a side: a power of two.
+std::uint32_t outline_cell(std::uint32_t size);
 
 /// Packs the outlines into size x size texels, as large as they fit; nothing if they are too many.
 /// Pure and deterministic.

@@ -89,7 +89,7 @@ class BandFiller {
         : atlas_(atlas),
           charted_{mesh.triangles, positions, atlas.corners, atlas.charts},
           neighbours_(mesh.triangles, positions),
-          near_(atlas, outline_cell(size(), atlas.chart_count)),
+          near_(atlas, outline_cell(size())),
           reach_(std::max(size() / walked_share, least_walked)),
           triangles_(bands()),
           edges_(bands()) {

@@ -65,14 +65,12 @@ std::vector<Polygon> placed(const std::vector<Polygon>& polygons, const Packing&
 }
 
 TEST(PackOutlines, OutlinesStayApartByTheGutter) {
-    for (const auto& [size, count] : {std::pair(256u, 24u), std::pair(500u, 24u),
-                                      std::pair(1024u, 24u), std::pair(1024u, 80u)}) {
-        const auto polygons = stars(count, size);
+    for (const std::uint32_t size : {256u, 500u, 1024u}) {
+        const auto polygons = stars(24, size);
         const auto packing = pack_outlines(outlines_of(polygons), size);
         ASSERT_TRUE(packing);
-        EXPECT_EQ(packing->cell, outline_cell(size, count));
         const auto at = placed(polygons, *packing);
-        const double half = 0.25 * outline_cell(size, 0);
+        const double half = 0.25 * packing->cell;
         for (std::size_t i = 0; i < at.size(); ++i)
             for (const Vec2d& q : at[i]) {
                 EXPECT_TRUE(q.x >= half - 1e-9 && q.y >= half - 1e-9);
@@ -86,14 +84,6 @@ TEST(PackOutlines, OutlinesStayApartByTheGutter) {
                 }
             }
     }
-}
-
-TEST(PackOutlines, ManyOutlinesGetFinerCells) {
-    EXPECT_EQ(outline_cell(1024, 64), 8u);
-    EXPECT_EQ(outline_cell(1024, 65), 4u);
-    EXPECT_EQ(outline_cell(1000, 10), 8u);
-    EXPECT_EQ(outline_cell(64, 10), 1u);
-    EXPECT_EQ(outline_cell(16384, 1000), 64u);
 }
 
 TEST(PackOutlines, TurnsKeepFormAndScale) {
