@@ -48,6 +48,7 @@ class NearTriangles {
             if (!(cross(b - q, c - q) > 0.0)) continue;
             take(queue, std::uint32_t(q.x) / cell_, std::uint32_t(q.y) / cell_, t);
         }
+        if (queue.empty()) take(queue, 0, 0, 0);  // nothing has an area in the texture
         for (std::size_t i = 0; i < queue.size(); ++i) {
             const auto [x, y] = queue[i];
             const std::uint32_t t = near_(x, y);
