@@ -4,29 +4,17 @@
 // proportions.
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 #include "atlas/chart/laplacian.h"
+#include "atlas/chart/last_steps.h"
 #include "atlas/chart/rectangle_map.h"
 
 namespace burl {
 namespace {
 
-/// Number of steps from which L-BFGS estimates the Hessian.
-constexpr std::size_t memory = 6;
 constexpr double keep_from_collapse = 0.8;  ///< longest step, relative to that to a collapse
 
-using Field = std::vector<Vec2d>;
-
-double dot(const Field& a, const Field& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += glm::dot(a[i], b[i]);
-    return sum;
-}
-
-void add_scaled(Field& a, double factor, const Field& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
-}
+using Field = VertexField;
 
 std::vector<bool> free_vertices(const std::vector<SideMask>& sides, unsigned held_by) {
     std::vector<bool> is_free(sides.size());
@@ -60,8 +48,8 @@ class Descent {
             const double before = energy_;
             const Field old_uv = map_.uv, old_gradient = gradient;
             if (!step_along(direction(gradient), gradient)) {
-                if (pairs_.empty()) break;
-                pairs_.clear();
+                if (steps_.empty()) break;
+                steps_.clear();
                 continue;
             }
             ++done;
@@ -76,13 +64,6 @@ class Descent {
     }
 
   private:
-    /// A step of the descent with the change of the gradient along it; inverse_product is 1 / (move
-    /// . change).
-    struct Pair {
-        Field move, change;
-        double inverse_product;
-    };
-
     /// Whether the wanted energy is out of reach at the rate of the last gains, which only get
     /// smaller once the first four iterations are over.
     static bool out_of_reach(double energy, double gain, int done, const DescentOptions& options) {
@@ -121,21 +102,11 @@ class Descent {
         for (std::size_t v = 0; v < field.size(); ++v) field[v].y = one[v] * aspect;
     }
 
-    /// The direction of descent by the two-loop recursion of L-BFGS.
     Field direction(const Field& gradient) const {
-        Field d = gradient;
-        std::vector<double> share(pairs_.size());
-        for (std::size_t i = pairs_.size(); i-- > 0;) {
-            share[i] = pairs_[i].inverse_product * dot(pairs_[i].move, d);
-            add_scaled(d, -share[i], pairs_[i].change);
-        }
-        precondition(d);
-        for (Vec2d& value : d) value *= scale_;
-        for (std::size_t i = 0; i < pairs_.size(); ++i)
-            add_scaled(d, share[i] - pairs_[i].inverse_product * dot(pairs_[i].change, d),
-                       pairs_[i].move);
-        for (Vec2d& value : d) value = -value;
-        return d;
+        return steps_.direction(gradient, [&](Field& d) {
+            precondition(d);
+            for (Vec2d& value : d) value *= scale_;
+        });
     }
 
     /// Moves along d, halving the step until the energy falls enough (Armijo); false, with nothing
@@ -144,7 +115,7 @@ class Descent {
         const double slope = dot(d, gradient), before = energy_;
         if (!(slope < 0.0)) return false;
         const double limit = keep_from_collapse * measure_.step_to_collapse(map_.uv, d);
-        double step = pairs_.empty() ? first_step(d, limit) : std::min(1.0, limit);
+        double step = steps_.empty() ? first_step(d, limit) : std::min(1.0, limit);
         Field moved;
         for (int halvings = 0; halvings < 30; ++halvings, step *= 0.5) {
             moved = map_.uv;
@@ -169,17 +140,15 @@ class Descent {
     }
 
     void remember(const Field& old_uv, const Field& old_gradient, const Field& gradient) {
-        Pair pair{map_.uv, gradient, 0.0};
-        add_scaled(pair.move, -1.0, old_uv);
-        add_scaled(pair.change, -1.0, old_gradient);
-        const double product = dot(pair.move, pair.change);
+        Field move = map_.uv, change = gradient;
+        add_scaled(move, -1.0, old_uv);
+        add_scaled(change, -1.0, old_gradient);
+        const double product = dot(move, change);
         if (!(product > 0.0)) return;
-        pair.inverse_product = 1.0 / product;
-        Field image = pair.change;
+        Field image = change;
         precondition(image);
-        scale_ = product / dot(pair.change, image);
-        pairs_.push_back(std::move(pair));
-        if (pairs_.size() > memory) pairs_.pop_front();
+        scale_ = product / dot(change, image);
+        steps_.add(std::move(move), std::move(change), product);
     }
 
     RectangleMap& map_;
@@ -189,7 +158,7 @@ class Descent {
     StretchMeasure measure_;
     std::vector<bool> free_u_, free_v_;
     PatchLaplacian laplacian_u_, laplacian_v_;
-    std::deque<Pair> pairs_;
+    LastSteps steps_;
     double scale_ = 1.0;
 };
 

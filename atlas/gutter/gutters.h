@@ -52,7 +52,7 @@ Gutter fill_gutter(const ChartedMesh& mesh, const EdgeNeighbours& neighbours,
                    std::span<const ChartEdge> edges, std::span<const TexelGap> gaps,
                    const TexelBox& box, const GutterOptions& options);
 
-/// The same for texels whose nearest edges are known, as nearest_edges() found them.
+/// Fills gaps whose texels have these nearest edges, as nearest_edges() found them.
 Gutter fill_gutter(const ChartedMesh& mesh, const EdgeNeighbours& neighbours,
                    std::span<const ChartEdge> edges, std::span<const TexelGap> gaps,
                    std::span<const std::uint32_t> nearest, const TexelBox& box,

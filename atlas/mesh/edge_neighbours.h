@@ -26,7 +26,7 @@ class EdgeNeighbours {
   public:
     EdgeNeighbours(std::span<const Triangle> triangles, std::span<const Vec3d> positions);
 
-    /// The same edge as numbered by the triangle on its other side, which runs along it the other
+    /// Number of the edge in the triangle on its other side, which runs along it the other
     /// way; none where the edge is open, has a third triangle, or two that run along it the same
     /// way. Triangles on the same points count once, and the first of them is taken; triangles
     /// without area count only where there are no others.

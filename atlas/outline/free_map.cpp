@@ -2,33 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <numbers>
 #include <utility>
 
 #include "atlas/chart/laplacian.h"
+#include "atlas/chart/last_steps.h"
 
 namespace burl {
 namespace {
 
-/// Number of steps from which L-BFGS estimates the Hessian.
-constexpr std::size_t memory = 6;
 constexpr double keep_from_collapse = 0.8;  ///< longest step, relative to that to a collapse
 /// Iterations after which a descent is given up that will not reach the wanted energy: gains only
 /// get smaller by then.
 constexpr int before_giving_up = 8;
 
-using Field = std::vector<Vec2d>;
-
-double dot(const Field& a, const Field& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += glm::dot(a[i], b[i]);
-    return sum;
-}
-
-void add_scaled(Field& a, double factor, const Field& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
-}
+using Field = VertexField;
 
 std::vector<bool> all_but_one(const Patch& patch) {
     std::vector<bool> is_free(patch.points.size(), true);
@@ -52,8 +40,8 @@ class Descent {
             const double before = value_;
             const Field old_places = places_, old_gradient = gradient;
             if (!step_along(direction(gradient), gradient)) {
-                if (pairs_.empty()) break;
-                pairs_.clear();
+                if (steps_.empty()) break;
+                steps_.clear();
                 continue;
             }
             ++done;
@@ -71,28 +59,11 @@ class Descent {
     double energy() const { return value_; }
 
   private:
-    /// A step of the descent with the change of the gradient along it; inverse_product is 1 / (move
-    /// . change).
-    struct Pair {
-        Field move, change;
-        double inverse_product;
-    };
-
-    /// The direction of descent by the two-loop recursion of L-BFGS.
     Field direction(const Field& gradient) const {
-        Field d = gradient;
-        std::vector<double> share(pairs_.size());
-        for (std::size_t i = pairs_.size(); i-- > 0;) {
-            share[i] = pairs_[i].inverse_product * dot(pairs_[i].move, d);
-            add_scaled(d, -share[i], pairs_[i].change);
-        }
-        laplacian_.apply_inverse(d);
-        for (Vec2d& value : d) value *= scale_;
-        for (std::size_t i = 0; i < pairs_.size(); ++i)
-            add_scaled(d, share[i] - pairs_[i].inverse_product * dot(pairs_[i].change, d),
-                       pairs_[i].move);
-        for (Vec2d& value : d) value = -value;
-        return d;
+        return steps_.direction(gradient, [&](Field& d) {
+            laplacian_.apply_inverse(d);
+            for (Vec2d& value : d) value *= scale_;
+        });
     }
 
     /// Moves along d, halving the step until the energy falls enough (Armijo); false, with nothing
@@ -125,22 +96,20 @@ class Descent {
     }
 
     void remember(const Field& old_places, const Field& old_gradient, const Field& gradient) {
-        Pair pair{places_, gradient, 0.0};
-        add_scaled(pair.move, -1.0, old_places);
-        add_scaled(pair.change, -1.0, old_gradient);
-        const double product = dot(pair.move, pair.change);
+        Field move = places_, change = gradient;
+        add_scaled(move, -1.0, old_places);
+        add_scaled(change, -1.0, old_gradient);
+        const double product = dot(move, change);
         if (!(product > 0.0)) return;
-        pair.inverse_product = 1.0 / product;
-        scale_ = dirichlet(pair.move) / product;
-        pairs_.push_back(std::move(pair));
-        if (pairs_.size() > memory) pairs_.pop_front();
+        scale_ = dirichlet(move) / product;
+        steps_.add(std::move(move), std::move(change), product);
     }
 
     const WeightedEdges& edges_;
     Field& places_;
     IsometryEnergy energy_;
     PatchLaplacian laplacian_;
-    std::deque<Pair> pairs_;
+    LastSteps steps_;
     double value_ = std::numeric_limits<double>::infinity(), scale_ = 1.0;
 };
 
