@@ -137,21 +137,12 @@ class Division {
     /// The chart of a connected patch; nothing where it would be distorted too much or overlap.
     std::optional<FlatChart> flatten(Patch patch) const {
         if (const auto planar = map_planar(patch)) return chart_of(patch, in_plane(*planar));
-        if (!make_disk(patch)) return std::nullopt;
+        if (!cut_to_disk(patch, connectivity_)) return std::nullopt;
         const double most = most_energy(area_of(patch));
         auto map = map_freely(patch, {.wanted = most});
         if (!map || !(map->energy <= most) || overlaps_itself(patch, map->places))
             return std::nullopt;
         return chart_of(patch, std::move(map->places));
-    }
-
-    /// Closes small holes and slits tubes; false if the patch is no disk then.
-    bool make_disk(Patch& patch) const {
-        const PatchTopology topology = topology_of(patch);
-        if (topology.handles > 0 || topology.loops == 0) return false;
-        fan_holes(patch, connectivity_);
-        slit_tube(patch);
-        return topology_of(patch).is_disk();
     }
 
     double most_energy(double area) const {

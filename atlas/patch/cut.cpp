@@ -168,4 +168,14 @@ std::uint32_t fan_holes(Patch& patch, const Connectivity& connectivity, double m
     return closed;
 }
 
+std::optional<DiskCuts> cut_to_disk(Patch& patch, const Connectivity& connectivity) {
+    const PatchTopology topology = topology_of(patch);
+    if (topology.handles > 0 || topology.loops == 0) return std::nullopt;
+    DiskCuts cuts;
+    cuts.holes_closed = fan_holes(patch, connectivity);
+    cuts.tubes_slit = slit_tube(patch);
+    if (!topology_of(patch).is_disk()) return std::nullopt;
+    return cuts;
+}
+
 }  // namespace burl

@@ -25,4 +25,13 @@ bool slit_sock(Patch& patch);
 /// the number of holes closed. To be called before any triangle is split.
 std::uint32_t fan_holes(Patch& patch, const Connectivity& connectivity, double most = 0.3);
 
+/// The cuts that made a disk of a patch.
+struct DiskCuts {
+    std::uint32_t holes_closed = 0, tubes_slit = 0;
+};
+
+/// Closes small holes and slits tubes (fan_holes(), slit_tube()); nothing where the patch is no
+/// disk even then.
+std::optional<DiskCuts> cut_to_disk(Patch& patch, const Connectivity& connectivity);
+
 }  // namespace burl

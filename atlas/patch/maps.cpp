@@ -80,7 +80,11 @@ class RegionMapper {
         std::optional<RectangleMap> map;
         Patch mapped = planar ? patch : std::move(patch);
         PatchMapNotes notes;
-        if (make_disk(mapped, notes)) map = map_disk(mapped, faces, limit, notes);
+        if (const auto cuts = cut_to_disk(mapped, connectivity_)) {
+            notes.holes_closed = cuts->holes_closed;
+            notes.tubes_slit = cuts->tubes_slit;
+            map = map_disk(mapped, faces, limit, notes);
+        }
         const double d = map ? map->stretch.distortion() : 1e300;
         if (planar_d <= planar_at_most && !(d < rectangle_better * planar_d))
             return keep(std::move(patch), std::move(*planar), result);
@@ -95,15 +99,6 @@ class RegionMapper {
         if (planar) return keep(std::move(patch), std::move(*planar), result);
         result.unmapped.insert(result.unmapped.end(), faces.begin(), faces.end());
         return {};
-    }
-
-    /// Closes small holes and slits tubes; false if the patch is no disk then.
-    bool make_disk(Patch& patch, PatchMapNotes& notes) const {
-        const PatchTopology topology = topology_of(patch);
-        if (topology.handles > 0 || topology.loops == 0) return false;
-        notes.holes_closed = fan_holes(patch, connectivity_);
-        notes.tubes_slit = slit_tube(patch);
-        return topology_of(patch).is_disk();
     }
 
     std::optional<RectangleMap> map_wanted(Patch& patch, double limit) const {
