@@ -15,11 +15,12 @@ namespace {
 // In seconds a texel (docs/lab/economy.md).
 constexpr double writing_seconds = 1e-9;     ///< of files that encoding has not written yet
 constexpr double uv_point_seconds = 150e-9;  ///< of points by texture coordinates
-constexpr double patch_point_seconds = 11e-9;
+constexpr double patch_point_seconds = 11e-9, chart_point_seconds = 20e-9;
 constexpr double block_point_seconds = 0.3e-9;
 constexpr double exr_seconds = 12e-9;  ///< of a band of floats
 // In seconds a triangle.
-constexpr double patch_layout_seconds = 14e-6, layout_seconds = 1e-6;
+constexpr double map_seconds = 14e-6;  ///< of patches and charts
+constexpr double layout_seconds = 1e-6;
 
 /// The costs of a bake too small for a trial, about; of one thread.
 TrialCosts usual_costs(const BakePlan& plan, const Recipe& recipe) {
@@ -42,7 +43,8 @@ TrialCosts costs_of(const BakePlan& plan, const Recipe& recipe, Pipeline& pipeli
 }
 
 double point_seconds(AtlasKind kind) {
-    return has_outlines(kind)         ? uv_point_seconds
+    return kind == AtlasKind::uv      ? uv_point_seconds
+           : kind == AtlasKind::chart ? chart_point_seconds
            : kind == AtlasKind::patch ? patch_point_seconds
                                       : block_point_seconds;
 }
@@ -72,7 +74,8 @@ std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& rec
         normal_maps = std::max(normal_maps, costs.normal_maps);
     }
     const double triangles = double(pipeline.mesh().triangles.size());
-    const double layout = kind == AtlasKind::patch ? patch_layout_seconds : layout_seconds;
+    const bool mapped = kind == AtlasKind::patch || kind == AtlasKind::chart;
+    const double layout = mapped ? map_seconds : layout_seconds;
     std::vector<ExpectedTask> all{{tasks::layout, layout * triangles},
                                   {tasks::points, point_seconds(kind) * texels}};
     const auto add = [&](const std::vector<ExpectedTask>& some) {
