@@ -202,6 +202,21 @@ std::vector<ChartEdge> chart_edges(const ChartedMesh& mesh, const EdgeNeighbours
     return edges;
 }
 
+std::vector<TexelGap> gaps_between(const Image<std::uint32_t>& owners, std::uint32_t first_row) {
+    std::vector<TexelGap> gaps;
+    for (std::uint32_t y = 0; y < owners.height(); ++y) {
+        const auto row = owners.row(y);
+        for (auto i = row.begin(); i != row.end();) {
+            const auto begin = std::find(i, row.end(), no_owner);
+            i = std::find_if(begin, row.end(), [](std::uint32_t t) { return t != no_owner; });
+            if (begin != i)
+                gaps.push_back(
+                    {first_row + y, std::uint32_t(begin - row.begin()), std::uint32_t(i - begin)});
+        }
+    }
+    return gaps;
+}
+
 std::vector<std::uint32_t> nearest_edges(std::span<const ChartEdge> edges,
                                          std::span<const TexelGap> gaps, double reach) {
     if (gaps.empty()) return {};

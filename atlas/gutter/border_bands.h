@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "atlas/base/image.h"
 #include "atlas/base/vec.h"
 #include "atlas/mesh/edge_neighbours.h"
 
@@ -41,6 +42,12 @@ std::vector<ChartEdge> chart_edges(const ChartedMesh& mesh, const EdgeNeighbours
 struct TexelGap {
     std::uint32_t y = 0, x = 0, count = 0;
 };
+
+/// The owner of a texel that belongs to no chart.
+inline constexpr std::uint32_t no_owner = 0xffffffffu;
+
+/// The texels without an owner; row 0 of `owners` is row `first_row` of the texture.
+std::vector<TexelGap> gaps_between(const Image<std::uint32_t>& owners, std::uint32_t first_row = 0);
 
 /// The number in `edges` of the nearest edge to each texel of the gaps, texel by texel; no_edge
 /// where none is within `reach` texels of its centre. Of edges that are as near, the one that faces

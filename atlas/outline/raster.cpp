@@ -13,7 +13,7 @@
 namespace burl {
 namespace {
 
-constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t nobody = no_owner;
 constexpr std::uint32_t band_rows = 64;  ///< rows of a band
 /// Share of the texture's side up to which texels beside charts show what a walk over the mesh
 /// reaches.
@@ -119,7 +119,7 @@ class BandFiller {
         const Image<std::uint32_t> owner = owners(band, first, std::min(band_rows, size() - first));
         BandSpans result;
         result.gutter = fill_gutter(
-            charted_, neighbours_, edges_[band], gaps(owner, first), {0, 0, size(), size()},
+            charted_, neighbours_, edges_[band], gaps_between(owner, first), {0, 0, size(), size()},
             {.reach = double(reach_), .own_plane = own_plane, .at_open_edge = AtOpenEdge::mirror});
         auto run = result.gutter.runs.begin();
         for (std::uint32_t y = 0; y < owner.height(); ++y) {
@@ -172,21 +172,6 @@ class BandFiller {
             });
         }
         return owner;
-    }
-
-    static std::vector<TexelGap> gaps(const Image<std::uint32_t>& owner, std::uint32_t first) {
-        std::vector<TexelGap> gaps;
-        for (std::uint32_t y = 0; y < owner.height(); ++y) {
-            const auto row = owner.row(y);
-            for (auto i = row.begin(); i != row.end();) {
-                const auto begin = std::find(i, row.end(), nobody);
-                i = std::find_if(begin, row.end(), [](std::uint32_t t) { return t != nobody; });
-                if (begin != i)
-                    gaps.push_back(
-                        {first + y, std::uint32_t(begin - row.begin()), std::uint32_t(i - begin)});
-            }
-        }
-        return gaps;
     }
 
     /// The number of a map that shows a triangle near texel (x, y).

@@ -20,20 +20,6 @@ namespace {
 /// Number of zones of a border edge that have maps of their own.
 constexpr std::uint32_t zones = 6;
 
-/// The texels that nobody owns.
-std::vector<TexelGap> gaps_of(const Image<std::uint32_t>& owner) {
-    std::vector<TexelGap> gaps;
-    for (std::uint32_t y = 0; y < owner.height(); ++y)
-        for (std::uint32_t x = 0; x < owner.width(); ++x) {
-            if (owner(x, y) != unclaimed) continue;
-            if (x > 0 && owner(x - 1, y) == unclaimed)
-                ++gaps.back().count;
-            else
-                gaps.push_back({y, x, 1});
-        }
-    return gaps;
-}
-
 /// Makes the spans and maps of a uv atlas's texture.
 class UvRasterizer {
   public:
@@ -65,7 +51,7 @@ class UvRasterizer {
         std::vector<ChartEdge> edges;
         for (const BorderEdge& edge : edges_)
             edges.push_back(chart_edge(charted, 3 * edge.triangle + edge.corner));
-        std::vector<TexelGap> gaps = gaps_of(owner_);
+        std::vector<TexelGap> gaps = gaps_between(owner_);
         std::vector<std::uint32_t> nearest = nearest_edges(edges, gaps, reach());
         auto known = nearest.begin();
         for (const TexelGap& gap : gaps) {
