@@ -35,6 +35,13 @@ void add_modes(CLI::App& verb, RenderCommand& command) {
                     "How --lazy makes MIP levels, as burl bake does: average, direct or direct:N "
                     "(default direct)")
         ->needs(lazy);
+    verb.add_option("--anisotropy", command.anisotropy,
+                    "Lookups along the longer side of a pixel's footprint, at most, where MIP "
+                    "levels are looked up, as the setting of engines")
+        ->check(CLI::Range(1, 16))
+        ->capture_default_str()
+        ->excludes(direct)
+        ->excludes(lazy);
     command.economy.add_skips(verb);
     verb.get_option("--no-skip")->needs(lazy);
     for (const char* option : {"--plane", "--widths", "--rays"})

@@ -19,6 +19,7 @@ struct RenderCommand {
     FrameFile file;
     int turntable = 0;                 ///< frames of one turn of the camera; 0: none
     std::vector<std::string> recipes;  ///< the texts of --recipes; none: one picture of --recipe
+    int anisotropy = 1;                ///< lookups along a pixel's longer side, at most
     std::size_t columns = 0;           ///< of a sheet; 0: as many as rows, about
     std::string out, report, platform;
     std::string progress = "auto";  ///< a word of progress_modes

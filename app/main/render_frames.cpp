@@ -99,6 +99,12 @@ RenderedFrames scene_frames(const RenderCommand& command, CommandFiles& files) {
     drawn->context->make_current();
     drawn->around.emplace(drawn->context->gl(), drawn->scene, drawn->picture);
     drawn->uploaded.emplace(drawn->context->gl(), drawn->scene, filter);
+    if (command.anisotropy > 1 && !drawn->uploaded->has_levels())
+        throw Error(ExitCode::usage,
+                    fmt::format("--anisotropy is of MIP levels, and {} looks none up; add --filter "
+                                "mip",
+                                options.filter ? "--filter " + *options.filter : options.scene));
+    drawn->uploaded->set_anisotropy(command.anisotropy);
     return {[drawn](std::size_t frame, std::size_t) { return drawn->draw(frame); }};
 }
 

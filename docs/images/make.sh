@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Makes all pictures of README.md and docs/guide/ anew, by Burl itself; those of materials are Blender's (materials.sh).
+# Makes all pictures of README.md, docs/guide/ and docs/lab/grazing.md anew, by Burl itself; those of materials are Blender's (materials.sh).
 #   docs/images/make.sh build/release/bin            all of them
-#   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials serpentine page blender
-# Debian's packages netpbm (atlases, bumps), webp (tour, materials, page, blender), blender (materials, blender), nodejs and chromium
-# (page) are needed.
+#   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials serpentine page grazing blender
+# Debian's packages netpbm (atlases, bumps, grazing), webp (tour, materials, page, grazing, blender), blender (materials, blender), nodejs
+# and chromium (page, grazing) are needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 bin=$(cd "${1:?the folder of the programs is missing, such as build/release/bin}" && pwd)
@@ -83,6 +83,22 @@ page() { # docs/guide/web-page.md
     cwebp -quiet -q 82 "$scratch/page.png" -o "$here/web-page.webp"
 }
 
+grazing() { # docs/lab/grazing.md: truth, one lookup and 16 by us, 16 by three.js
+    "$here/../../tests/peers/grazing.sh" "$here/../../build/node" "$scratch/grazing" "$burl" >"$scratch/log"
+    local picture
+    for picture in {floor,hull}-{truth,chart.1,chart.16,chart.three}; do pngtopnm "$scratch/grazing/$picture.png" >"$scratch/$picture.ppm"; done
+    for picture in truth chart.1 chart.16 chart.three; do
+        pamcut -top 66 -height 94 "$scratch/floor-$picture.ppm" >"$scratch/floor.$picture.ppm"
+        pamcut -left 75 -width 170 -top 100 -height 170 "$scratch/hull-$picture.ppm" >"$scratch/hull.$picture.ppm"
+    done
+    pnmcat -tb "$scratch"/floor.{truth,chart.1,chart.16,chart.three}.ppm >"$scratch/floor.ppm"
+    pnmcat -lr "$scratch"/hull.{truth,chart.1,chart.16,chart.three}.ppm >"$scratch/hull.ppm"
+    for picture in floor hull; do
+        pnmtopng "$scratch/$picture.ppm" >"$scratch/$picture.png"
+        cwebp -quiet -q 85 "$scratch/$picture.png" -o "$here/grazing-$picture.webp"
+    done
+}
+
 blender() { # docs/guide/blender.md
     local run=(blender --background --factory-startup --python-exit-code 1 --python) addon=$here/../../app/blender/burl_addon.py
     mkdir "$scratch/scripts"
@@ -93,7 +109,7 @@ blender() { # docs/guide/blender.md
     cwebp -quiet -q 88 "$scratch/nodes.png" -o "$here/blender-nodes.webp"
 }
 
-parts=(teapot atlases bumps turntable sheet editor tour figures materials serpentine page blender)
+parts=(teapot atlases bumps turntable sheet editor tour figures materials serpentine page grazing blender)
 for part in "${@:-${parts[@]}}"; do
     [[ " ${parts[*]} " == *" $part "* ]] || { echo "$part is no picture: name some of ${parts[*]}" >&2; exit 1; }
     echo "$part"

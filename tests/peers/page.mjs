@@ -29,6 +29,10 @@ function cameraOf({centre, radius}, {azimuth, elevation, distance, width, height
     return camera;
 }
 
+function filterAnisotropically(map, anisotropy) {
+    Object.assign(map, {anisotropy, minFilter: THREE.LinearMipmapLinearFilter, generateMipmaps: true, needsUpdate: true});
+}
+
 async function draw(renderer, environment, job) {
     const {scene: object, animations} = await new GLTFLoader().loadAsync(job.url);
     const scene = new THREE.Scene();
@@ -38,6 +42,7 @@ async function draw(renderer, environment, job) {
         if (!mesh.isMesh) return;
         if (!environment) mesh.material = new THREE.MeshBasicMaterial({map: mesh.material.map});
         mesh.material.side = THREE.DoubleSide;
+        if (job.anisotropy) filterAnisotropically(mesh.material.map, job.anisotropy);
         mesh.frustumCulled = false;
     });
     if (job.time !== null) {

@@ -5,8 +5,8 @@
 // over the grey of `burl render`. MODULES is the folder whose node_modules holds three.
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join, normalize} from 'node:path';
-import {deflateSync} from 'node:zlib';
 import {browse} from './chromium.mjs';
+import {encoded, png} from './png.mjs';
 
 const [modules, chromium, environment, view, side, ...asked] = process.argv.slice(2);
 const files = asked.map((name) => name.split('@')[0]), times = asked.map((name) => name.split('@')[1] ?? null);
@@ -27,7 +27,6 @@ function toneMapped(c) {
 }
 
 const toned = (c) => unlit ? c : toneMapped(c);
-const encoded = (v) => Math.round(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * Math.min(v, 1) ** (1 / 2.4) - 0.055));
 
 // The 8-bit picture of linear samples with alpha multiplied in, rows from below.
 function developed(samples) {
@@ -48,33 +47,6 @@ function developed(samples) {
     return picture;
 }
 
-function crc32(bytes) {
-    let crc = ~0;
-    for (const byte of bytes) {
-        crc ^= byte;
-        for (let k = 0; k < 8; ++k) crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0);
-    }
-    return ~crc >>> 0;
-}
-
-function chunk(type, data) {
-    const body = Buffer.concat([Buffer.from(type, 'latin1'), data]), out = Buffer.alloc(body.length + 8);
-    out.writeUInt32BE(data.length);
-    body.copy(out, 4);
-    out.writeUInt32BE(crc32(body), body.length + 4);
-    return out;
-}
-
-function png(picture) {
-    const head = Buffer.alloc(13), rows = Buffer.alloc(size * (3 * size + 1));
-    head.writeUInt32BE(size);
-    head.writeUInt32BE(size, 4);
-    head.set([8, 2], 8);
-    for (let y = 0; y < size; ++y) picture.copy(rows, y * (3 * size + 1) + 1, 3 * y * size, 3 * (y + 1) * size);
-    return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', head), chunk('IDAT', deflateSync(rows)),
-        chunk('IEND', Buffer.alloc(0))]);
-}
-
 const jobs = files.map((_, i) => ({url: `/file/${i}.glb`, time: times[i], azimuth, elevation, distance, width: size, height: size, supersample}));
 
 function find(url) {
@@ -89,7 +61,7 @@ function find(url) {
 function receive(url, body) {
     const samples = new Float32Array(body.buffer.slice(body.byteOffset, body.byteOffset + body.length));
     const i = Number(url.match(/^\/picture\/(\d+)$/)[1]), moment = times[i] === null ? '' : `@${times[i]}`;
-    writeFileSync(files[i].replace(/\.glb$/, `${moment}.three.png`), png(developed(samples)));
+    writeFileSync(files[i].replace(/\.glb$/, `${moment}.three.png`), png(developed(samples), size, size));
 }
 
 try {

@@ -37,6 +37,7 @@ ShaderSource macros_of(const GlScenePrograms::Look& look) {
     source.define("BUMPED", word(look.bumped)).define("LEVELS", word(look.levels));
     source.define("IN_BLOCKS", word(look.in_blocks)).define("PLACES", word(look.places));
     source.define("MASKS", word(look.masks)).define("BLENDS", word(look.blends));
+    source.define("ANISOTROPIC", word(look.anisotropic));
     source.define("LAYERED", word(look.layered)).define("SUN", word(look.sun));
     source.define("CLEARCOAT", word(look.clearcoat)).define("SHEEN", word(look.sheen));
     source.define("TRANSMITS", word(look.transmits)).define("ONE_ORM", word(look.one_orm));

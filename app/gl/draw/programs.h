@@ -23,7 +23,7 @@ class GlScenePrograms {
     struct Look {
         bool encoded = false, lit = false, ambient = false, bumped = false, levels = false,
              in_blocks = false, places = false, masks = false, blends = false, layered = false,
-             tone = false, coarse = false;
+             tone = false, coarse = false, anisotropic = false;
         bool sun = false, clearcoat = false, sheen = false, transmits = false, one_orm = false;
         std::uint32_t maps = 0;  ///< bit k: the material has the picture MaterialMap(k)
         auto operator<=>(const Look&) const = default;

@@ -265,6 +265,10 @@ bool GlScene::has_levels(const GlSurface& surface) const {
     return false;
 }
 
+bool GlScene::has_levels() const {
+    return std::ranges::any_of(surfaces_, [&](const GlSurface& one) { return has_levels(one); });
+}
+
 bool GlScene::draws(const GlSurface& surface, Drawn drawn) const {
     const bool blends = surface.material().alpha == SceneAlpha::blend;
     return drawn == Drawn::all || blends == (drawn == Drawn::layers);
@@ -277,6 +281,7 @@ GlScenePrograms::Look GlScene::look_of(const GlSurface& surface, GlScenePrograms
     look.bumped = surface.bumped();
     look.levels = has_levels(surface);
     look.in_blocks = look.levels && surface.in_blocks();
+    look.anisotropic = look.levels && most_probes_ > 1;
     if (material.unlit) look.lit = false;
     look.ambient &= look.lit;
     look.sun &= look.ambient;
@@ -298,6 +303,7 @@ void GlScene::bind_material(const GlProgram& program, const SceneMaterial& mater
     for (std::size_t i = 0; i < material.maps.size(); ++i)
         if (material.maps[i] >= 0)
             bind(GLenum(GL_TEXTURE0 + first_map_unit + int(i)), material.maps[i]);
+    program.set("most_probes", float(most_probes_));
     program.set("normal_scale", material.normal_scale);
     program.set("base_color_factor", material.factor);
     program.set("alpha_cutoff", material.alpha_cutoff);

@@ -46,6 +46,11 @@ class GlScene {
 
     /// Replaces the material of all surfaces.
     void set_material(const SceneMaterial& material);
+    /// Has lookups that choose a MIP level be made of up to `probes` of them along a footprint's
+    /// longer side; at first of one.
+    void set_anisotropy(int probes) { most_probes_ = probes; }
+    /// Whether a surface looks up MIP levels.
+    bool has_levels() const;
     /// Sets the weight, 0..1, of the morph targets of all surfaces that have one.
     void set_target_share(double share);
 
@@ -126,6 +131,7 @@ class GlScene {
     std::vector<const GlTexture*> lent_;  ///< in the place of textures_; null: none
     std::vector<TextureFilter> filters_;  ///< one per texture
     std::vector<GlSurface> surfaces_, coarse_;
+    int most_probes_ = 1;
     std::size_t uploaded_ = 0;  ///< the number of surfaces that are uploaded completely
 };
 

@@ -103,6 +103,31 @@ INSTANTIATE_TEST_SUITE_P(Ways, RenderFrames, testing::Values("scene", "--lazy", 
                              return name.substr(name.find_first_not_of('-'));
                          });
 
+TEST(RenderAnisotropy, IsOfMipLevels) {
+    const Scratch scratch;
+    const auto run = [&](const std::string& arguments) {
+        return run_burl(scratch, arguments, fmt::format("cd '{}';", scratch.path().string()));
+    };
+    const std::string flat = "--view 0,8,3.5 " + small;
+    ASSERT_EQ(
+        run("bake sample:cube -o s.glb --recipe wood --set solid.scale=9 --size 256 -q").exit_code,
+        0);
+    ASSERT_EQ(run("render s.glb -o one.png " + flat).exit_code, 0);
+    ASSERT_EQ(run("render s.glb -o same.png --anisotropy 1 " + flat).exit_code, 0);
+    ASSERT_EQ(run("render s.glb -o sixteen.png --anisotropy 16 " + flat).exit_code, 0);
+    EXPECT_EQ(slurp(scratch / "same.png"), slurp(scratch / "one.png"));
+    EXPECT_NE(slurp(scratch / "sixteen.png"), slurp(scratch / "one.png"));
+    const Outcome linear = run("render s.glb -o l.png --anisotropy 16 --filter linear " + flat);
+    EXPECT_EQ(linear.exit_code, 1);
+    EXPECT_THAT(linear.err, testing::HasSubstr("--filter linear looks none up"));
+    for (const char* way : {"--direct", "--lazy"})
+        EXPECT_EQ(run(fmt::format("render sample:cube {} -o d.png --anisotropy 4", way)).exit_code,
+                  1)
+            << way;
+    EXPECT_EQ(run("render s.glb -o m.png --anisotropy 17").exit_code, 1);
+    for (const char* name : {"l.png", "d.png", "m.png"}) EXPECT_FALSE(fs::exists(scratch / name));
+}
+
 class RenderRecipes : public testing::Test {
   protected:
     Outcome render(const std::string& arguments) {
