@@ -47,16 +47,18 @@ draw() { # MESH VIEW SIZE RECIPE...
 }
 
 draw floor 20,5,1.1 640x160 --recipe marble --set solid.scale=12
+draw plain 20,5,1.1 640x160 --recipe marble --set solid.scale=12
 draw hull 0,5,1.8 320x320 --recipe wood --set solid.scale=14
 awk '
     { dB[$1] = $2; if ($3 < 5000) { print "FAILED: " $1 " has " $3 " pixels"; bad = 1 } }
     function atLeast(name, bound) { if (!(dB[name] >= bound)) { print "FAILED: " name " has " dB[name] " dB, not " bound; bad = 1 } }
     END {
-        atLeast("floor-chart.16", 32.5); atLeast("hull-chart.16", 38.5)
+        atLeast("floor-chart.16", 32.5); atLeast("plain-chart.16", 45); atLeast("hull-chart.16", 38.5)
         atLeast("floor-chart.16", dB["floor-patch.16"] - 0.5); atLeast("hull-chart.16", dB["hull-patch.16"] - 0.5)
+        atLeast("plain-chart.16", dB["plain-patch.16"] - 0.5)
         atLeast("floor-chart.16", dB["floor-chart.1"] + 3); atLeast("hull-chart.16", dB["hull-chart.1"] + 3)
         if ("hull-chart.three" in dB) {
-            atLeast("floor-chart.three", 32.5); atLeast("hull-chart.three", 41.5)
+            atLeast("floor-chart.three", 32.5); atLeast("plain-chart.three", 42.5); atLeast("hull-chart.three", 41.5)
             atLeast("floor-chart.three", dB["floor-patch.three"] - 0.5); atLeast("hull-chart.three", dB["hull-patch.three"] - 0.5)
         }
         exit bad

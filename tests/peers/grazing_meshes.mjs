@@ -1,7 +1,7 @@
-// Writes two meshes that are seen along their surface: node grazing_meshes.mjs FOLDER
-// floor.obj, eight by eight tiles with grooves between them and a carved rosette in each, and hull.obj, an open boat
-// whose sides run back from its bow. Beside them floor-places.obj and hull-places.obj, whose vertices have
-// their places for colours: where a pixel shows two places, an edge goes through it.
+// Writes meshes that are seen along their surface: node grazing_meshes.mjs FOLDER
+// floor.obj, eight by eight tiles with grooves between them and a carved rosette in each, plain.obj, the floor before it was carved,
+// and hull.obj, an open boat whose sides run back from its bow. Beside each NAME-places.obj, whose vertices have their places for
+// colours: where a pixel shows two places, an edge goes through it.
 import {writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 
@@ -46,4 +46,5 @@ function write(name, {points, triangles}) {
 }
 
 write('floor', grid(128, 128, carved));
+write('plain', grid(128, 128, (u, v) => [2 * u - 1, 0, 2 * v - 1]));
 write('hull', grid(96, 48, hull));

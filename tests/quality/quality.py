@@ -102,15 +102,47 @@ def timed_again(clock, paths, now, worse):
         if again["kernels"] < now[mesh, kind]["kernels"]: now[mesh, kind] |= again
 
 
-def main():
+def updated(kept, now):
+    """The table's rows with those of `now`. Times within the tolerance stay, lest every update change all rows."""
+    rows = kept | now
+    for key in kept.keys() & now.keys():
+        was, time = kept[key]["kernels"], now[key]["kernels"]
+        if not is_worse("kernels", was, time) and not is_worse("kernels", time, was):
+            rows[key] = now[key] | {column: kept[key][column] for column in ("kernels", "ms")}
+    return [rows[key] for key in sorted(rows, key=lambda key: (key[0], KINDS.index(key[1])))]
+
+
+def judge(clock, paths, kept, now):
+    """Prints what is worse; returns how many figures are."""
+    worse = judged(kept, now)
+    if any(w[2] == "kernels" for w in worse):
+        timed_again(clock, paths, now, worse)
+        worse = judged(kept, now)
+    for mesh, kind, column, was, value in worse: print(f"WORSE: {mesh}, {kind}: {column} {was:.4g} -> {value:.4g}")
+    better = {key for key, row in now.items() for c in HIGHER_IS_WORSE if key in kept and row[c] < kept[key][c] * (1 - TOLERANCE)}
+    if better: print(f"{len(better)} rows have become better; keep that with --update")
+    return len(worse)
+
+
+def arguments():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--update", action="store_true")
     options.add_argument("--only")
     for name in ("burl", "layout_times", "folder"): options.add_argument(name)
-    asked = options.parse_args()
+    return options.parse_args()
+
+
+def asked_meshes(only):
     meshes = json.loads((HERE / "meshes.json").read_text())
-    if asked.only: meshes["meshes"] = {name: meshes["meshes"][name] for name in asked.only.split(",")}
-    paths, absent = fetch.fetch(meshes, asked.folder)
+    names = only.split(",") if only else list(meshes["meshes"])
+    for name in names:
+        if name not in meshes["meshes"]: sys.exit(f"--only {name}: it must be one of {', '.join(meshes['meshes'])}")
+    return meshes | {"meshes": {name: meshes["meshes"][name] for name in names}}
+
+
+def main():
+    asked = arguments()
+    paths, absent = fetch.fetch(asked_meshes(asked.only), asked.folder)
     for name, why in absent.items(): print(f"SKIPPED: {name}: {why}")
     if not paths: return 77
     now = {}
@@ -120,17 +152,11 @@ def main():
             print(f"{name}: measured", flush=True)
     kept = read_table(TABLE) if TABLE.exists() else {}
     if asked.update:
-        write_table(TABLE, [row for _, row in sorted((kept | now).items(), key=lambda item: (item[0][0], KINDS.index(item[0][1])))])
+        write_table(TABLE, updated(kept, now))
         page.write(read_table(TABLE))
         return 0
-    worse = judged(kept, now)
-    if any(w[2] == "kernels" for w in worse):
-        timed_again(asked.layout_times, paths, now, worse)
-        worse = judged(kept, now)
-    for mesh, kind, column, was, value in worse: print(f"WORSE: {mesh}, {kind}: {column} {was:.4g} -> {value:.4g}")
-    changed = {key for key, row in now.items() for c in HIGHER_IS_WORSE if key in kept and row[c] < kept[key][c] * (1 - TOLERANCE)}
-    if changed: print(f"{len(changed)} rows have become better; keep that with --update")
-    print(f"{len(now)} rows of {len(paths)} meshes, {len(absent)} meshes skipped, {len(worse)} figures worse")
+    worse = judge(asked.layout_times, paths, kept, now)
+    print(f"{len(now)} rows of {len(paths)} meshes, {len(absent)} meshes skipped, {worse} figures worse")
     return 1 if worse else 0
 
 

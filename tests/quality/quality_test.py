@@ -44,12 +44,28 @@ class Judge(unittest.TestCase):
         now["cube", "chart"]["L0"] = 1e-4
         self.assertEqual(len(quality.judged(kept, now)), 1)
 
+    def test_an_update_keeps_times_that_did_not_change(self):
+        now = copy.deepcopy(KEPT)
+        now["cube", "chart"] |= {"kernels": 2.1, "L3": 0.2}
+        (row,) = quality.updated(KEPT, now)
+        self.assertEqual((row["kernels"], row["L3"]), (2.0, 0.2))
+        for time in (1.5, 2.5):
+            now["cube", "chart"]["kernels"] = time
+            self.assertEqual(quality.updated(KEPT, now)[0]["kernels"], time)
+        other = {("ball", "patch"): KEPT["cube", "chart"] | {"mesh": "ball", "kind": "patch"}}
+        self.assertEqual([row["mesh"] for row in quality.updated(KEPT, other)], ["ball", "cube"])
+
     def test_what_is_not_there_is_worse(self):
         now = copy.deepcopy(KEPT)
         del now["cube", "chart"]["L3"]
         self.assertEqual([worse[2] for worse in quality.judged(KEPT, now)], ["L3"])
         self.assertEqual(judged(L2=float("nan")), ["L2"])
         self.assertEqual(len(quality.judged({}, KEPT)), 1)
+
+    def test_the_kernel_is_the_tables(self):
+        # Whoever changes the kernel, its comments too, measures the table anew with --update.
+        self.assertEqual(fetch.sha256((quality.HERE / "reference_kernel.h").read_bytes()),
+                         "d968af7cdf2d3da8f2da4fce1f664d2213837b55134d5550ae31aec6d5989d40")
 
     def test_rows_survive_the_table(self):
         with tempfile.TemporaryDirectory() as folder:
