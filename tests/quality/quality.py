@@ -15,11 +15,11 @@ import fetch, page
 TABLE = HERE / "table.csv"
 KINDS = ["uniform", "area", "length", "quad", "patch", "chart"]
 # A column's tolerance (a share of the kept value), and whether less is worse. Errors have a floor
-# besides, a hundredth of an 8-bit code, and times one, a tenth of the kernel: below it nothing is worse. "ms" is only told.
+# besides, a hundredth of an 8-bit code, and times one, half of the kernel: below it nothing is worse. "ms" is only told.
 ERRORS = ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "long1", "long2", "long3", "trilinear", "16x", "worst"]
 HIGHER_IS_WORSE = ERRORS + ["stretch50", "stretch95", "vertices"]
 COLUMNS = ["mesh", "kind", *HIGHER_IS_WORSE, "coverage", "kernels", "ms"]
-TOLERANCE, TIME_TOLERANCE, FLOOR, TIME_FLOOR = 0.03, 0.15, 0.01 / 255, 0.1
+TOLERANCE, TIME_TOLERANCE, FLOOR, TIME_FLOOR = 0.03, 0.15, 0.01 / 255, 0.5
 
 
 def geometric_mean(values):
@@ -95,11 +95,12 @@ def judged(kept, now):
     return worse
 
 
-def timed_again(clock, paths, now, worse):
-    """Measures times that are worse once more, with three times the rounds; the better ones count."""
-    for mesh, kind in {(w[0], w[1]) for w in worse if w[2] == "kernels"}:
-        again = answer([clock, paths[mesh], 15, kind])[kind]
-        if again["kernels"] < now[mesh, kind]["kernels"]: now[mesh, kind] |= again
+def timed_again(clock, paths, kept, now):
+    """Measures times that are worse up to three times more, with three times the rounds; the least counts."""
+    for _ in range(3):
+        for mesh, kind in [worse[:2] for worse in judged(kept, now) if worse[2] == "kernels"]:
+            again = answer([clock, paths[mesh], 15, kind])[kind]
+            if again["kernels"] < now[mesh, kind]["kernels"]: now[mesh, kind] |= again
 
 
 def updated(kept, now):
@@ -114,10 +115,8 @@ def updated(kept, now):
 
 def judge(clock, paths, kept, now):
     """Prints what is worse; returns how many figures are."""
+    timed_again(clock, paths, kept, now)
     worse = judged(kept, now)
-    if any(w[2] == "kernels" for w in worse):
-        timed_again(clock, paths, now, worse)
-        worse = judged(kept, now)
     for mesh, kind, column, was, value in worse: print(f"WORSE: {mesh}, {kind}: {column} {was:.4g} -> {value:.4g}")
     better = {key for key, row in now.items() for c in HIGHER_IS_WORSE if key in kept and row[c] < kept[key][c] * (1 - TOLERANCE)}
     if better: print(f"{len(better)} rows have become better; keep that with --update")
@@ -152,6 +151,7 @@ def main():
             print(f"{name}: measured", flush=True)
     kept = read_table(TABLE) if TABLE.exists() else {}
     if asked.update:
+        timed_again(asked.layout_times, paths, kept, now)
         write_table(TABLE, updated(kept, now))
         page.write(read_table(TABLE))
         return 0

@@ -34,8 +34,8 @@ class Judge(unittest.TestCase):
         self.assertEqual(judged(kernels=1.14), [])
         self.assertEqual(judged(kernels=1.16), ["kernels"])
         self.assertEqual(judged(ms=10.0), [])
-        self.assertFalse(quality.is_worse("kernels", 0.03, 0.11))
-        self.assertTrue(quality.is_worse("kernels", 0.03, 0.12))
+        self.assertFalse(quality.is_worse("kernels", 0.03, 0.57))
+        self.assertTrue(quality.is_worse("kernels", 0.03, 0.58))
 
     def test_errors_of_nothing_are_not_judged(self):
         kept, now = copy.deepcopy(KEPT), copy.deepcopy(KEPT)
