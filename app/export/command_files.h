@@ -51,8 +51,9 @@ class CommandFiles {
     void read(std::span<const std::string> paths);
 
     /// Adds an output. Throws Error: usage where the name does not end in `extension` (in lower
-    /// case; empty: any); io where the folder is missing or not writable, where something else than
-    /// a regular file has the name, or where the file is an input or another output.
+    /// case; empty: any); io where the name is too long, the folder is missing or not writable,
+    /// where something else than a regular file has the name, or where the file is an input or
+    /// another output.
     void write(const std::string& path, std::string_view extension = {});
 
   private:
