@@ -2,10 +2,6 @@
 // command asks for.
 #include "app/bake/job.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <string_view>
-
 #include <fmt/format.h>
 
 #include "app/bake/shared_pictures.h"
@@ -14,31 +10,12 @@
 #include "app/export/command_files.h"
 #include "app/pipeline/material.h"
 #include "atlas/base/error.h"
-#include "atlas/file/file_extension.h"
 
 namespace burl {
 
-namespace {
-
-/// Throws Error(usage) where files of the output name others that readers would not find: a
-/// backslash begins a folder's name to some of them, and a line ends at a control character.
-void check_named_files(const std::string& out) {
-    const std::string name = std::filesystem::path(out).filename().string();
-    const auto unreadable = [](char c) { return c == '\\' || (c >= 0 && c < ' ') || c == '\x7f'; };
-    const bool names_others = lower_extension(out) == ".gltf" || lower_extension(out) == ".obj";
-    if (names_others && std::ranges::any_of(name, unreadable))
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: the files beside it are named after it, and other programs do "
-                                "not find names with a backslash or a control character; give it "
-                                "another name, or write a .glb",
-                                out));
-}
-
-}  // namespace
-
 /// Throws Error if an output would replace a file that is read or another output.
 void BakeJob::check_files(const std::vector<std::string>& paths) const {
-    check_named_files(command_.out);
+    check_scene_name(command_.out);
     CommandFiles files;
     if (command_.makes_folders) files.allow_new_folders();
     files.read(inputs_);

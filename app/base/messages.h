@@ -11,9 +11,8 @@ namespace burl {
 /// U+007F to U+009F) and bytes that are not UTF-8 become \x1b and the like. All other UTF-8 stays.
 std::string printable(std::string_view text);
 
-/// Prints a printable() line, without its middle where it has more than 1200 bytes, to stdout and
-/// flushes it, so that readers of a file or pipe see it at once. Throws std::system_error where it
-/// cannot be written.
+/// Prints a printable() line, without its middle beyond 1200 bytes, to stdout and flushes it, so
+/// that readers see it at once. Throws std::system_error where it cannot be written.
 void print_line(std::string_view line);
 
 /// Prints a line to stderr as print_line() does; a stderr that cannot be written to is ignored.

@@ -175,6 +175,18 @@ void CommandFiles::write(const std::string& path, std::string_view extension) {
     written_.add(path);
 }
 
+void check_scene_name(const std::string& out) {
+    const std::string name = fs::path(out).filename().string();
+    const auto unreadable = [](char c) { return c == '\\' || (c >= 0 && c < ' ') || c == '\x7f'; };
+    const bool names_others = lower_extension(out) == ".gltf" || lower_extension(out) == ".obj";
+    if (names_others && std::ranges::any_of(name, unreadable))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: the files beside it are named after it, and other programs do "
+                                "not find names with a backslash or a control character; give it "
+                                "another name, or write a .glb",
+                                out));
+}
+
 std::vector<std::string> files_of_mesh(const std::string& mesh_path, MeshFiles which) {
     if (mesh_path.empty() || is_sample_mesh(mesh_path)) return {};
     std::vector<std::string> files{mesh_path};

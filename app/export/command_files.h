@@ -61,6 +61,11 @@ class CommandFiles {
     bool new_folders_ = false;
 };
 
+/// Throws Error(usage) where files beside the output, which name others after it, would name what
+/// readers do not find: a backslash begins a folder's name to some of them, and a line ends at a
+/// control character.
+void check_scene_name(const std::string& out);
+
 enum class MeshFiles {
     read,   ///< the files that the mesh is made of: its own and a glTF's buffers
     named,  ///< besides those of `read`, images of a glTF and material libraries of an OBJ

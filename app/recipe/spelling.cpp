@@ -39,7 +39,7 @@ bool is_there(const Json& recipe, const Spelling& one) {
     return has(recipe, outer) && (!inner || has(recipe[outer], inner));
 }
 
-/// Whether the value can be put there: a "bump" that is no object is left to the schema's check.
+/// Whether the value can be put there: a "bump" must be an object.
 bool has_room(const Json& recipe, const Spelling& one) {
     return !one.keys[1] || !recipe.contains(one.keys[0]) || recipe[one.keys[0]].is_object();
 }
@@ -73,11 +73,17 @@ Json as_base_color(Json value) {
 }
 
 std::optional<RecipeProblem> find_spelling_problem(const Json& recipe) {
-    for (const Spelling& one : spellings())
-        if (is_written(recipe, one) && is_there(recipe, one))
+    for (const Spelling& one : spellings()) {
+        if (!is_written(recipe, one)) continue;
+        if (!has_room(recipe, one))
+            return RecipeProblem{
+                one.keys[0],
+                fmt::format("{} must be an object, of which {} is a part", one.keys[0], one.path)};
+        if (is_there(recipe, one))
             return RecipeProblem{
                 one.written,
                 fmt::format("{} and {} are the same; give one of them", one.written, one.path)};
+    }
     return {};
 }
 

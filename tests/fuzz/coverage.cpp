@@ -20,3 +20,7 @@ extern "C" [[gnu::visibility("default")]] void __sanitizer_cov_trace_pc() {
     std::uint8_t& counter = counters[(place * 0x9e3779b97f4a7c15u) >> (64 - counter_bits)];
     counter = static_cast<std::uint8_t>(counter + (counter != 255));
 }
+
+/// Called where floating-point numbers are compared; libFuzzer has no use for them.
+extern "C" [[gnu::visibility("default")]] void __sanitizer_cov_trace_cmpf(float, float) {}
+extern "C" [[gnu::visibility("default")]] void __sanitizer_cov_trace_cmpd(double, double) {}
