@@ -105,7 +105,6 @@ std::vector<Target> gltf_targets() {
               "SCALAR",
               "VEC4",
               "p64.png",
-              "b2.png",
               "data:application/octet-stream;base64,AAAA"},
              32768,
              made_files}};

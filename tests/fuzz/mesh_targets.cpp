@@ -8,6 +8,7 @@
 #include "atlas/read/readers.h"
 #include "tests/fuzz/sound_mesh.h"
 #include "tests/fuzz/target.h"
+#include "tests/paths.h"
 
 namespace burl::fuzz {
 namespace {
@@ -41,12 +42,18 @@ void read_stl(const std::string& bytes) {
     read_as(bytes, "a.stl");
 }
 
-/// An OBJ and, after a line "----", its material library a.mtl, which may name the picture
-/// tests/cases/p64.png as a.png.
+/// Puts a small picture beside the scratch files as a.png.
+void place_picture() {
+    const FileBuffer file = read_file(test::source_folder() + "/tests/fuzz/corpus/png/rgb.png");
+    static const std::string placed = scratch_file("a.png", std::string(file.text()));
+}
+
+/// An OBJ and, after a line "----", its material library a.mtl, which may name a picture a.png.
 void read_obj_scene(const std::string& bytes) {
     constexpr std::string_view between = "\n----\n";
     const std::size_t end = bytes.find(between);
     if (end == std::string::npos) return;
+    place_picture();
     scratch_file("a.mtl", bytes.substr(end + between.size()));
     load_scene(scratch_file("a.obj", bytes.substr(0, end)));
 }

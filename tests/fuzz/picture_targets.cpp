@@ -33,7 +33,7 @@ void read_hdr_file(const std::string& bytes) {
 }  // namespace
 
 std::vector<Target> picture_targets() {
-    return {{"png", read_picture_file, Form::png, {"tests/cases"}, {}},
+    return {{"png", read_picture_file, Form::png, {"tests/cases/p64.png"}, {}},
             {"picture", read_picture_file, Form::binary, {}, {}},
             {"exr",
              read_exr_file,

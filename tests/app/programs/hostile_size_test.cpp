@@ -9,7 +9,7 @@
 namespace burl::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 TEST(HostileSize, MaterialsOfAnObjTakeLinearTime) {
     const Scratch scratch;
@@ -38,7 +38,7 @@ TEST(HostileSize, TooManyBakesAreRefused) {
                     {"atlas", words},
                     {"crease", list},
                     {"output", "a.png"}};
-    const std::string path = scratch.write("a.json", Json{{"bakes", {bake}}}.dump());
+    const std::string path = scratch.write("a.json", Json{{"bakes", Json::array({bake})}}.dump());
     const Outcome outcome = run_burl(scratch, fmt::format("batch '{}' --dry-run", path));
     EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
     EXPECT_NE(outcome.err.find("1000000 bakes, and 100000 are the most"), std::string::npos)
