@@ -104,17 +104,22 @@ void solve_in_place(const Matrix& lower, double* x) {
 
 }  // namespace
 
-WeightedEdges weighted_edges(const Patch& patch, EdgeWeights weights,
-                             std::vector<std::uint32_t> order) {
-    WeightedEdges result;
+std::vector<WeightedEdges::Edge> edges_with_weights(const Patch& patch, EdgeWeights weights) {
+    std::vector<WeightedEdges::Edge> edges;
     for (HalfEdge h = 0; h < 3 * patch.triangles.size(); ++h) {
         const HalfEdge other = patch.on_border(h) ? h : patch.across(h);
         if (other < h) continue;
-        result.edges.push_back({patch.start(h),
-                                patch.end(h),
-                                edge_weight(patch, h, other, weights),
-                                {h / 3, other / 3}});
+        edges.push_back({patch.start(h),
+                         patch.end(h),
+                         edge_weight(patch, h, other, weights),
+                         {h / 3, other / 3}});
     }
+    return edges;
+}
+
+WeightedEdges weighted_edges(const Patch& patch, EdgeWeights weights,
+                             std::vector<std::uint32_t> order) {
+    WeightedEdges result{edges_with_weights(patch, weights), {}};
     result.order =
         order.empty() ? elimination_order(result.edges, patch.points.size()) : std::move(order);
     return result;

@@ -33,6 +33,9 @@ struct WeightedEdges {
     std::vector<std::uint32_t> order;
 };
 
+/// The edges of a patch with their weights.
+std::vector<WeightedEdges::Edge> edges_with_weights(const Patch& patch, EdgeWeights weights);
+
 /// The weighted edges of a patch. `order` is an elimination order of its vertices that is known
 /// already; empty: it is computed.
 WeightedEdges weighted_edges(const Patch& patch, EdgeWeights weights = EdgeWeights::cotangent,

@@ -105,7 +105,7 @@ AtlasMetrics measure(const Mesh& mesh, const Atlas& atlas, const SolidAtlas& sol
     double ratios = 0.0, total = 0.0;
     for (std::size_t t = 0; t < areas.size(); ++t) {
         const double in_texture = texture_area(atlas.corners[t], sides_of(atlas));
-        metrics.coverage += in_texture;
+        if (!atlas.is_copy(t)) metrics.coverage += in_texture;
         if (areas[t] == 0.0) {
             ++metrics.zero_area;
             continue;
@@ -174,9 +174,10 @@ TexelMetrics measure_texels(const Atlas& atlas) {
     const std::uint32_t size = atlas.options.size;
     const double reach = atlas.options.overscan == Overscan::bilinear ? 1.0 : 0.5;
     Image<std::uint8_t> flags(size, size);
-    for (const auto& corners : atlas.corners) {
-        metrics.outside += leaves(corners, size) ? 1 : 0;
-        mark_triangle(corners, reach, flags);
+    for (std::size_t t = 0; t < atlas.corners.size(); ++t) {
+        if (atlas.is_copy(t)) continue;
+        metrics.outside += leaves(atlas.corners[t], size) ? 1 : 0;
+        mark_triangle(atlas.corners[t], reach, flags);
     }
     for (const std::uint8_t texel : flags.pixels()) {
         metrics.readable += texel & readable ? 1 : 0;

@@ -147,6 +147,7 @@ Connectivity build_connectivity(const Mesh& mesh) {
 void cut_between(Connectivity& connectivity, const Mesh& mesh,
                  std::span<const std::uint32_t> labels) {
     if (labels.empty()) return;
+    connectivity.labels.assign(labels.begin(), labels.end());
     std::uint64_t cut = 0;
     for (std::size_t t = 0; t < connectivity.neighbours.size(); ++t)
         for (std::int32_t& side : connectivity.neighbours[t]) {

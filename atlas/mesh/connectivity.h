@@ -24,6 +24,8 @@ struct Connectivity {
     /// vertex).
     std::uint64_t split_faces = 0;
     std::uint64_t shells = 0;  ///< components of triangles connected across edges
+    /// One label a triangle, where cut_between() cut the connectivity; else none.
+    std::vector<std::uint32_t> labels;
 };
 
 /// The mesh's connectivity. Neighbours are symmetric: neighbours[a][k] == b implies some j with

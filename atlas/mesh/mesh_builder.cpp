@@ -10,6 +10,7 @@
 
 #include "atlas/base/error.h"
 #include "atlas/base/stop.h"
+#include "atlas/mesh/copies.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/mesh/polygon.h"
 #include "atlas/mesh/weld.h"
@@ -207,36 +208,10 @@ std::uint64_t count_degenerate_triangles(const Mesh& mesh) {
     return count;
 }
 
-Triangle sorted(Triangle t) {
-    if (t[0] > t[1]) std::swap(t[0], t[1]);
-    if (t[1] > t[2]) std::swap(t[1], t[2]);
-    if (t[0] > t[1]) std::swap(t[0], t[1]);
-    return t;
-}
-
-std::size_t hash_of(const Triangle& points) {
-    std::uint64_t h = points[0] * 0x9e3779b97f4a7c15ull + points[1];
-    h = (h ^ h >> 32) * 0xd6e8feb86659fd93ull + points[2];
-    h = (h ^ h >> 32) * 0xd6e8feb86659fd93ull;
-    return h ^ h >> 32;
-}
-
-/// Number of triangles on the same three points, in whatever order, as an earlier one, found with
-/// one hash table of triangle numbers.
+/// Number of triangles on the same three points, in whatever order, as an earlier one.
 std::uint64_t count_duplicate_triangles(const Mesh& mesh) {
-    const std::size_t slots = std::bit_ceil(2 * mesh.triangles.size() + 64);
-    std::vector<std::uint32_t> table(slots, 0);  // triangle number + 1
     std::uint64_t count = 0;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Triangle key = sorted(mesh.triangles[t]);
-        std::size_t at = hash_of(key) & (slots - 1);
-        while (table[at] != 0 && sorted(mesh.triangles[table[at] - 1]) != key)
-            at = (at + 1) & (slots - 1);
-        if (table[at] != 0)
-            ++count;
-        else
-            table[at] = t + 1;
-    }
+    visit_copies(mesh.triangles, in_order, [&](std::uint32_t, std::uint32_t) { ++count; });
     return count;
 }
 

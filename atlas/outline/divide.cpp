@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "atlas/chart/planar_map.h"
+#include "atlas/outline/unfold.h"
 #include "atlas/patch/cut.h"
 
 namespace burl {
@@ -16,6 +17,9 @@ namespace {
 /// Share of the mesh's area below which a chart may be distorted `small_slack` times as much: its
 /// own borders would cost more.
 constexpr double small_share = 0.005, small_slack = 4.0;
+
+/// Charts of the net of a shell that is kept.
+constexpr std::size_t most_of_net = 8;
 
 /// The chart of a patch with these places; triangles that close holes are left out.
 FlatChart chart_of(const Patch& patch, std::vector<Vec2d> places) {
@@ -71,18 +75,19 @@ class Division {
 
     /// Flattens shells that need no division, and then the regions in all others.
     FlatCharts flatten_shells(const Regions& shells) {
-        std::vector<std::optional<FlatChart>> whole(shells.size());
+        std::vector<std::vector<FlatChart>> by_shell(shells.size());
         tbb::parallel_for(std::size_t(0), shells.size(), [&](std::size_t i) {
-            if (!options_.stop.stop_requested()) whole[i] = flatten_whole(shells[i]);
+            if (!options_.stop.stop_requested()) by_shell[i] = flatten_shell(shells[i]);
         });
         FlatCharts result;
         std::vector<bool> done(mesh_.triangles.size(), false);
-        for (std::size_t i = 0; i < shells.size(); ++i) {
-            if (!whole[i]) continue;
-            for (const std::uint32_t face : shells[i]) done[face] = true;
-            result.charts.push_back(std::move(*whole[i]));
-        }
-        if (result.charts.size() == shells.size()) return result;
+        for (std::vector<FlatChart>& charts : by_shell)
+            for (FlatChart& chart : charts) {
+                for (const std::uint32_t face : chart.faces) done[face] = true;
+                result.charts.push_back(std::move(chart));
+            }
+        if (std::ranges::all_of(shells, [&](const auto& shell) { return done[shell.front()]; }))
+            return result;
         Regions regions = partition_mesh(mesh_, connectivity_, options_.partition);
         std::erase_if(regions, [&](const auto& region) { return done[region.front()]; });
         FlatCharts others = flatten_all(regions);
@@ -129,9 +134,15 @@ class Division {
         return {};
     }
 
-    std::optional<FlatChart> flatten_whole(const std::vector<std::uint32_t>& faces) {
+    /// A shell as one chart, or as few exact ones; nothing where it has to be divided.
+    std::vector<FlatChart> flatten_shell(const std::vector<std::uint32_t>& faces) {
+        std::vector<FlatChart> charts;
         Patch patch = extract_patch(mesh_, connectivity_, faces, local_.local());
-        return patch.loops.empty() ? std::nullopt : flatten(std::move(patch));
+        if (!patch.loops.empty())
+            if (auto chart = flatten(std::move(patch))) charts.push_back(std::move(*chart));
+        if (!charts.empty()) return charts;
+        if (auto net = unfold(mesh_, connectivity_, faces, most_of_net)) return std::move(*net);
+        return {};
     }
 
     /// The chart of a connected patch; nothing where it would be distorted too much or overlap.

@@ -5,39 +5,99 @@
 #include <numbers>
 #include <utility>
 
+#include "atlas/chart/coarse_map.h"
 #include "atlas/chart/laplacian.h"
 #include "atlas/chart/last_steps.h"
+#include "atlas/chart/stretch_sweeps.h"
 
 namespace burl {
 namespace {
 
 constexpr double keep_from_collapse = 0.8;  ///< longest step, relative to that to a collapse
-/// Iterations after which a descent is given up that will not reach the wanted energy: gains only
-/// get smaller by then.
-constexpr int before_giving_up = 8;
+/// Iterations over which gains are averaged, and after which a descent is given up that will not
+/// reach the wanted energy: gains only get smaller by then.
+constexpr int gain_window = 3, before_giving_up = 8;
+
+/// Triangles of the largest patch that is mapped directly; a larger one is mapped by way of one
+/// with a step_down-th of its triangles.
+constexpr std::size_t most_direct = 4000, step_down = 4;
+/// Sweeps over single vertices, and iterations of the descent, that smooth a map which was carried
+/// over from a coarse patch.
+constexpr int smoothing_sweeps = 2, smoothing_iterations = 100;
 
 using Field = VertexField;
 
-std::vector<bool> all_but_one(const Patch& patch) {
-    std::vector<bool> is_free(patch.points.size(), true);
-    is_free[patch.triangles[0][0]] = false;
-    return is_free;
-}
+/// The Laplacian as a guess of the Hessian: exact for maps near an isometry, at the price of a
+/// Cholesky factor.
+class LaplacianGuess {
+  public:
+    LaplacianGuess(const Patch& patch, const WeightedEdges& edges)
+        : edges_(edges), laplacian_(edges, all_but_one(patch)) {}
+
+    bool usable() const { return laplacian_.factored(); }
+    void apply_inverse(Field& field) const { laplacian_.apply_inverse(field); }
+    /// Sum of w |move_a - move_b|^2 over the edges.
+    double square(const Field& move) const {
+        double sum = 0.0;
+        for (const WeightedEdges::Edge& e : edges_.edges) {
+            const Vec2d d = move[e.a] - move[e.b];
+            sum += e.weight * glm::dot(d, d);
+        }
+        return sum;
+    }
+
+  private:
+    static std::vector<bool> all_but_one(const Patch& patch) {
+        std::vector<bool> is_free(patch.points.size(), true);
+        is_free[patch.triangles[0][0]] = false;
+        return is_free;
+    }
+
+    const WeightedEdges& edges_;
+    PatchLaplacian laplacian_;
+};
+
+/// The Laplacian's diagonal as a guess of the Hessian, which suits maps that are rough in detail
+/// only, as one carried over from a coarser patch.
+class DiagonalGuess {
+  public:
+    explicit DiagonalGuess(const Patch& patch) : diagonal_(patch.points.size(), 0.0) {
+        for (const WeightedEdges::Edge& e : edges_with_weights(patch, EdgeWeights::cotangent)) {
+            diagonal_[e.a] += e.weight;
+            diagonal_[e.b] += e.weight;
+        }
+    }
+
+    bool usable() const { return true; }
+    void apply_inverse(Field& field) const {
+        for (std::size_t v = 0; v < field.size(); ++v) field[v] /= diagonal_[v];
+    }
+    double square(const Field& move) const {
+        double sum = 0.0;
+        for (std::size_t v = 0; v < move.size(); ++v)
+            sum += diagonal_[v] * glm::dot(move[v], move[v]);
+        return sum;
+    }
+
+  private:
+    std::vector<double> diagonal_;
+};
 
 /// One descent on a map's energy.
+template <class Guess>
 class Descent {
   public:
-    Descent(const Patch& patch, const WeightedEdges& edges, Field& places)
-        : edges_(edges), places_(places), energy_(patch), laplacian_(edges, all_but_one(patch)) {}
+    Descent(const Patch& patch, const Guess& guess, Field& places)
+        : guess_(guess), places_(places), energy_(patch) {}
 
     int run(const FreeMapOptions& options) {
         value_ = energy_(places_);
-        if (!laplacian_.factored() || !std::isfinite(value_)) return 0;
+        if (!guess_.usable() || !std::isfinite(value_)) return 0;
         Field gradient(places_.size());
         energy_.gradient(places_, gradient);
+        std::vector<double> before{value_};
         int done = 0;
         while (done < options.iterations) {
-            const double before = value_;
             const Field old_places = places_, old_gradient = gradient;
             if (!step_along(direction(gradient), gradient)) {
                 if (steps_.empty()) break;
@@ -45,11 +105,8 @@ class Descent {
                 continue;
             }
             ++done;
-            const double gain = before - value_;
-            if (gain < options.least_gain * (before - 1.0)) break;
-            if (done >= before_giving_up &&
-                value_ - options.wanted > gain * (options.iterations - done))
-                break;
+            before.push_back(value_);
+            if (ends(before, options)) break;
             energy_.gradient(places_, gradient);
             remember(old_places, old_gradient, gradient);
         }
@@ -59,9 +116,20 @@ class Descent {
     double energy() const { return value_; }
 
   private:
+    /// Whether the descent ends, by its values so far: the first one and that of each iteration.
+    static bool ends(const std::vector<double>& values, const FreeMapOptions& options) {
+        const auto done = int(values.size()) - 1;
+        if (done <= gain_window) return false;
+        const double value = values.back();
+        const double gain = (values[std::size_t(done - gain_window)] - value) / gain_window;
+        if (gain < options.least_gain * (value - 1.0)) return true;
+        return done >= before_giving_up &&
+               value - options.wanted > gain * (options.iterations - done);
+    }
+
     Field direction(const Field& gradient) const {
         return steps_.direction(gradient, [&](Field& d) {
-            laplacian_.apply_inverse(d);
+            guess_.apply_inverse(d);
             for (Vec2d& value : d) value *= scale_;
         });
     }
@@ -85,33 +153,30 @@ class Descent {
         return false;
     }
 
-    /// The Laplacian's value of a move, sum of w |move_a - move_b|^2 over the edges.
-    double dirichlet(const Field& move) const {
-        double sum = 0.0;
-        for (const WeightedEdges::Edge& e : edges_.edges) {
-            const Vec2d d = move[e.a] - move[e.b];
-            sum += e.weight * glm::dot(d, d);
-        }
-        return sum;
-    }
-
     void remember(const Field& old_places, const Field& old_gradient, const Field& gradient) {
         Field move = places_, change = gradient;
         add_scaled(move, -1.0, old_places);
         add_scaled(change, -1.0, old_gradient);
         const double product = dot(move, change);
         if (!(product > 0.0)) return;
-        scale_ = dirichlet(move) / product;
+        scale_ = guess_.square(move) / product;
         steps_.add(std::move(move), std::move(change), product);
     }
 
-    const WeightedEdges& edges_;
+    const Guess& guess_;
     Field& places_;
     IsometryEnergy energy_;
-    PatchLaplacian laplacian_;
     LastSteps steps_;
     double value_ = std::numeric_limits<double>::infinity(), scale_ = 1.0;
 };
+
+/// Descends from the map's places, and sets its energy and iterations.
+template <class Guess>
+void descend(const Patch& patch, const Guess& guess, const FreeMapOptions& options, FreeMap& map) {
+    Descent descent(patch, guess, map.places);
+    map.iterations = descent.run(options);
+    map.energy = descent.energy();
+}
 
 /// The harmonic map onto a circle with the patch's area, on which the border's vertices have the
 /// distances that they have along the border; nothing if it has a flip.
@@ -151,21 +216,45 @@ struct OutlineEdge {
     }
 };
 
-}  // namespace
+/// The map of a patch by way of its coarse patch; nothing where that has no map, or one that is
+/// worse than wanted.
+std::optional<FreeMap> map_coarsely(const Patch& patch, const CoarsePatch& coarse,
+                                    const FreeMapOptions& options) {
+    const auto of_coarse = map_freely(coarse.patch, options);
+    if (!of_coarse || !(of_coarse->energy <= options.wanted)) return std::nullopt;
+    auto places = carry_to_fine(patch, coarse, of_coarse->places);
+    if (!places) return std::nullopt;
+    sweep_stretch(patch, *places, 1.0, smoothing_sweeps);
+    FreeMap map{std::move(*places)};
+    FreeMapOptions smoothing = options;
+    smoothing.iterations = smoothing_iterations;
+    descend(patch, DiagonalGuess(patch), smoothing, map);
+    if (!std::isfinite(map.energy)) return std::nullopt;
+    return map;
+}
 
-std::optional<FreeMap> map_freely(const Patch& patch, const FreeMapOptions& options) {
-    if (patch.loops.empty() || patch.loops[0].size() < 3) return std::nullopt;
+std::optional<FreeMap> map_directly(const Patch& patch, const FreeMapOptions& options) {
     const WeightedEdges edges = weighted_edges(patch);
     std::optional<Field> start = onto_circle(patch, edges);
     if (!start)
         start = onto_circle(patch, weighted_edges(patch, EdgeWeights::uniform, edges.order));
     if (!start) return std::nullopt;
     FreeMap map{std::move(*start)};
-    Descent descent(patch, edges, map.places);
-    map.iterations = descent.run(options);
-    map.energy = descent.energy();
+    descend(patch, LaplacianGuess(patch, edges), options, map);
     if (!std::isfinite(map.energy)) return std::nullopt;
     return map;
+}
+
+}  // namespace
+
+std::optional<FreeMap> map_freely(const Patch& patch, const FreeMapOptions& options) {
+    if (patch.loops.empty() || patch.loops[0].size() < 3) return std::nullopt;
+    if (patch.triangles.size() > most_direct) {
+        const CoarsePatch coarse = coarsen_patch(patch, patch.triangles.size() / step_down);
+        if (2 * coarse.patch.triangles.size() <= patch.triangles.size())
+            return map_coarsely(patch, coarse, options);
+    }
+    return map_directly(patch, options);
 }
 
 bool overlaps_itself(const Patch& patch, std::span<const Vec2d> places) {

@@ -4,56 +4,22 @@
 #include "atlas/outline/layout.h"
 
 #include <algorithm>
-#include <limits>
+#include <numeric>
 #include <unordered_map>
+#include <utility>
 
+#include "atlas/mesh/copies.h"
 #include "atlas/mesh/unit_frame.h"
 #include "atlas/outline/divide.h"
+#include "atlas/outline/least_box.h"
 #include "atlas/outline/pack.h"
 
 namespace burl {
 namespace {
 
-/// The convex hull of points, counter-clockwise (Andrew's monotone chain, 1979).
-std::vector<Vec2d> hull_of(std::vector<Vec2d> points) {
-    std::ranges::sort(points, [](const Vec2d& a, const Vec2d& b) {
-        return a.x < b.x || (a.x == b.x && a.y < b.y);
-    });
-    std::vector<Vec2d> hull;
-    for (int side = 0; side < 2; ++side) {
-        const std::size_t first = hull.size();
-        for (const Vec2d& p : points) {
-            while (hull.size() >= first + 2 &&
-                   cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
-                hull.pop_back();
-            hull.push_back(p);
-        }
-        hull.pop_back();
-        std::ranges::reverse(points);
-    }
-    return hull;
-}
-
 /// Turns the chart so that the box round it has the least area, with its longer side along x.
 void straighten(FlatChart& chart) {
-    const std::vector<Vec2d> hull = hull_of(chart.outline);
-    double least = std::numeric_limits<double>::infinity();
-    Vec2d along(1.0, 0.0);
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        const Vec2d edge = hull[(i + 1) % hull.size()] - hull[i];
-        if (!(glm::length(edge) > 0.0)) continue;
-        const Vec2d u = glm::normalize(edge), v(-u.y, u.x);
-        Vec2d low(std::numeric_limits<double>::infinity()), high = -low;
-        for (const Vec2d& p : hull) {
-            const Vec2d q(glm::dot(p, u), glm::dot(p, v));
-            low = glm::min(low, q);
-            high = glm::max(high, q);
-        }
-        const Vec2d size = high - low;
-        if (!(size.x * size.y < least)) continue;
-        least = size.x * size.y;
-        along = size.x >= size.y ? u : v;
-    }
+    const Vec2d along = least_box(hull_of(chart.outline)).along;
     const auto turn = [&](Vec2d& p) { p = {glm::dot(p, along), cross(along, p)}; };
     std::ranges::for_each(chart.places, turn);
     std::ranges::for_each(chart.outline, turn);
@@ -88,10 +54,63 @@ void place_unmapped(const Mesh& mesh, const FlatCharts& flat, Atlas& atlas) {
     }
 }
 
-}  // namespace
+/// A mesh without the copies of its triangles: those on the same points that face the same way and
+/// have the same label.
+struct WithoutCopies {
+    Mesh mesh;  ///< points and triangles alone
+    Connectivity connectivity;
+    std::vector<std::uint32_t> first;   ///< for each triangle the first of its copies, or itself
+    std::vector<std::uint32_t> number;  ///< number in `mesh` of each triangle that is no copy
+};
 
-std::optional<Atlas> layout_charts(const Mesh& mesh, const Connectivity& connectivity,
-                                   const AtlasOptions& options, const std::stop_token& stop) {
+std::optional<WithoutCopies> without_copies(const Mesh& mesh, const Connectivity& connectivity) {
+    WithoutCopies result;
+    const std::vector<std::uint32_t>& labels = connectivity.labels;
+    visit_copies(mesh.triangles, least_first, [&](std::uint32_t t, std::uint32_t first) {
+        if (!labels.empty() && labels[t] != labels[first]) return;
+        if (result.first.empty()) {
+            result.first.resize(mesh.triangles.size());
+            std::iota(result.first.begin(), result.first.end(), 0u);
+        }
+        result.first[t] = first;
+    });
+    if (result.first.empty()) return std::nullopt;
+    result.mesh.positions = mesh.positions;
+    result.number.resize(mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (result.first[t] != t) continue;
+        result.number[t] = std::uint32_t(result.mesh.triangles.size());
+        result.mesh.triangles.push_back(mesh.triangles[t]);
+        result.connectivity.neighbours.push_back(connectivity.neighbours[t]);
+    }
+    for (auto& sides : result.connectivity.neighbours)
+        for (std::int32_t& side : sides)
+            if (side >= 0)
+                side = result.first[std::size_t(side)] == std::uint32_t(side)
+                           ? std::int32_t(result.number[std::size_t(side)])
+                           : -1;
+    return result;
+}
+
+/// Places all triangles of the mesh by an atlas of it without copies.
+Atlas with_copies(const Mesh& mesh, WithoutCopies firsts, Atlas atlas) {
+    const auto own = std::exchange(atlas.corners, {});
+    const auto charts = std::exchange(atlas.charts, {});
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::uint32_t first = firsts.first[t], number = firsts.number[first];
+        std::size_t turn = 0;
+        while (turn < 2 && mesh.triangles[first][turn] != mesh.triangles[t][0]) ++turn;
+        const auto& at = own[number];
+        atlas.corners.push_back({at[turn], at[(turn + 1) % 3], at[(turn + 2) % 3]});
+        atlas.charts.push_back(charts[number]);
+    }
+    atlas.copy_of = std::move(firsts.first);
+    return atlas;
+}
+
+/// The atlas of a mesh in which every triangle gets a place of its own.
+std::optional<Atlas> layout_all(const Mesh& mesh, const Connectivity& connectivity,
+                                const AtlasOptions& options, const std::stop_token& stop) {
     FlatCharts flat = divide_into_charts(in_unit_frame(mesh), connectivity, {.stop = stop});
     if (stop.stop_requested()) return std::nullopt;
     std::vector<Outline> outlines;
@@ -109,6 +128,17 @@ std::optional<Atlas> layout_charts(const Mesh& mesh, const Connectivity& connect
     place_charts(flat, *packing, atlas);
     place_unmapped(mesh, flat, atlas);
     return atlas;
+}
+
+}  // namespace
+
+std::optional<Atlas> layout_charts(const Mesh& mesh, const Connectivity& connectivity,
+                                   const AtlasOptions& options, const std::stop_token& stop) {
+    auto firsts = without_copies(mesh, connectivity);
+    if (!firsts) return layout_all(mesh, connectivity, options, stop);
+    auto atlas = layout_all(firsts->mesh, firsts->connectivity, options, stop);
+    if (!atlas) return std::nullopt;
+    return with_copies(mesh, std::move(*firsts), std::move(*atlas));
 }
 
 }  // namespace burl

@@ -58,63 +58,85 @@ struct Mask {
     }
 };
 
-/// Draws outlines into masks.
+/// The masks of an outline in its four quarter turns.
+using Turns = std::array<Mask, 4>;
+
+/// Draws outlines into masks. The masks of its turns are the first mask turned.
 class MaskMaker {
   public:
     MaskMaker(double scale, std::uint32_t cell) : scale_(scale), cell_(cell) {}
 
-    Mask operator()(const Outline& outline, int quarter) {
-        Mask mask;
-        mask.placed = place(outline, quarter);
-        points_.clear();
-        Vec2d high(0.0);
+    Turns operator()(const Outline& outline) {
+        Turns turns;
+        Vec2d low(std::numeric_limits<double>::infinity()), high = -low;
         for (const Vec2d& q : outline.points) {
-            points_.push_back(mask.placed(q) / double(cell_));
-            high = glm::max(high, points_.back());
+            low = glm::min(low, q);
+            high = glm::max(high, q);
         }
-        mask.width = std::uint32_t(std::floor(high.x + half_gutter)) + 1;
-        mask.height = std::uint32_t(std::floor(high.y + half_gutter)) + 1;
-        if (mask.width > most_cells || mask.height > most_cells) return mask;
-        cells_.assign(std::size_t(mask.width) * mask.height, 0);
-        draw_inside(mask);
-        draw_border(mask);
-        find_runs(mask);
-        return mask;
+        const Vec2d size = scale_ / double(cell_) * (high - low);
+        width_ = cells_round(size.x), height_ = cells_round(size.y);
+        for (std::size_t q = 0; q < 4; ++q) {
+            turns[q].width = q % 2 == 0 ? width_ : height_;
+            turns[q].height = q % 2 == 0 ? height_ : width_;
+        }
+        if (std::max(width_, height_) > most_cells) return turns;
+        turns[0].placed = {Vec2d(scale_, 0.0), Vec2d(0.0, scale_),
+                           Vec2d(half_gutter * double(cell_)) - scale_ * low};
+        points_.clear();
+        for (const Vec2d& q : outline.points) points_.push_back(turns[0].placed(q) / double(cell_));
+        cells_.assign(std::size_t(width_) * height_, 0);
+        draw_inside();
+        draw_border();
+        find_runs(turns[0]);
+        for (std::size_t q = 1; q < 4; ++q) {
+            turn_cells();
+            turns[q].placed = turned(turns[q - 1].placed, double(cell_ * turns[q - 1].height));
+            find_runs(turns[q]);
+        }
+        return turns;
     }
 
   private:
-    /// The outline turned, with its box's corner half a gutter from the texture's.
-    PackedOutline place(const Outline& outline, int quarter) const {
-        constexpr std::array<std::array<double, 4>, 4> turns{
-            {{1, 0, 0, 1}, {0, 1, -1, 0}, {-1, 0, 0, -1}, {0, -1, 1, 0}}};
-        const auto& t = turns[std::size_t(quarter)];
-        PackedOutline placed{scale_ * Vec2d(t[0], t[1]), scale_ * Vec2d(t[2], t[3]), Vec2d(0.0)};
-        Vec2d low(std::numeric_limits<double>::infinity());
-        for (const Vec2d& q : outline.points) low = glm::min(low, placed(q));
-        placed.origin = half_gutter * double(cell_) - low;
-        return placed;
+    static std::uint32_t cells_round(double size) {
+        return std::uint32_t(std::min(std::floor(size + 2.0 * half_gutter), double(most_cells))) +
+               1;
+    }
+
+    /// The place after another quarter turn, (x, y) to (height - y, x).
+    static PackedOutline turned(const PackedOutline& p, double height) {
+        const auto turn = [](const Vec2d& v) { return Vec2d(-v.y, v.x); };
+        return {turn(p.column_x), turn(p.column_y), turn(p.origin) + Vec2d(height, 0.0)};
+    }
+
+    void turn_cells() {
+        turned_.resize(cells_.size());
+        for (std::uint32_t y = 0; y < height_; ++y)
+            for (std::uint32_t x = 0; x < width_; ++x)
+                turned_[std::size_t(x) * height_ + (height_ - 1 - y)] = cells_[y * width_ + x];
+        cells_.swap(turned_);
+        std::swap(width_, height_);
     }
 
     /// Marks the cells whose centres lie inside.
-    void draw_inside(const Mask& mask) {
-        std::vector<std::vector<double>> crossings(mask.height);
+    void draw_inside() {
+        std::vector<std::vector<double>> crossings(height_);
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const Vec2d &a = points_[i], &b = points_[(i + 1) % points_.size()];
             const auto first = std::uint32_t(std::max(std::ceil(std::min(a.y, b.y) - 0.5), 0.0));
-            for (std::uint32_t y = first; y < mask.height && y + 0.5 < std::max(a.y, b.y); ++y)
+            for (std::uint32_t y = first; y < height_ && y + 0.5 < std::max(a.y, b.y); ++y)
                 crossings[y].push_back(a.x + (y + 0.5 - a.y) / (b.y - a.y) * (b.x - a.x));
         }
-        for (std::uint32_t y = 0; y < mask.height; ++y) {
+        for (std::uint32_t y = 0; y < height_; ++y) {
             std::ranges::sort(crossings[y]);
             for (std::size_t i = 0; i + 1 < crossings[y].size(); i += 2)
                 for (double x = std::max(std::ceil(crossings[y][i] - 0.5), 0.0);
-                     x + 0.5 < crossings[y][i + 1] && x < mask.width; ++x)
-                    cells_[y * mask.width + std::size_t(x)] = 1;
+                     x + 0.5 < crossings[y][i + 1] && x < width_; ++x)
+                    cells_[y * width_ + std::size_t(x)] = 1;
         }
     }
 
     /// Marks the cells that half a gutter round the border touches.
-    void draw_border(const Mask& mask) {
+    void draw_border() {
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const Vec2d &a = points_[i], &b = points_[(i + 1) % points_.size()];
             const int steps = int(4.0 * glm::distance(a, b)) + 1;
@@ -123,11 +145,11 @@ class MaskMaker {
                 const auto cell = [&](double at, std::uint32_t side) {
                     return std::uint32_t(std::clamp(std::floor(at), 0.0, side - 1.0));
                 };
-                const std::uint32_t x1 = cell(q.x + half_gutter, mask.width);
-                const std::uint32_t y1 = cell(q.y + half_gutter, mask.height);
-                for (std::uint32_t y = cell(q.y - half_gutter, mask.height); y <= y1; ++y)
-                    for (std::uint32_t x = cell(q.x - half_gutter, mask.width); x <= x1; ++x)
-                        cells_[y * mask.width + x] = 1;
+                const std::uint32_t x1 = cell(q.x + half_gutter, width_);
+                const std::uint32_t y1 = cell(q.y + half_gutter, height_);
+                for (std::uint32_t y = cell(q.y - half_gutter, height_); y <= y1; ++y)
+                    for (std::uint32_t x = cell(q.x - half_gutter, width_); x <= x1; ++x)
+                        cells_[y * width_ + x] = 1;
             }
         }
     }
@@ -154,8 +176,9 @@ class MaskMaker {
 
     double scale_;
     std::uint32_t cell_;
-    std::vector<Vec2d> points_;  ///< corners, in cells
-    std::vector<std::uint8_t> cells_;
+    std::uint32_t width_ = 0, height_ = 0;  ///< of cells_
+    std::vector<Vec2d> points_;             ///< corners, in cells
+    std::vector<std::uint8_t> cells_, turned_;
 };
 
 /// A square of cells, some of which are taken.
@@ -214,8 +237,8 @@ class Grid {
     std::vector<Row> rows_;
 };
 
-/// The masks of all outlines at one scale, in all four turns.
-using Masks = std::vector<std::array<Mask, 4>>;
+/// The masks of all outlines at one scale.
+using Masks = std::vector<Turns>;
 
 /// Packs in given orders at given scales.
 class Packer {
@@ -228,9 +251,7 @@ class Packer {
     Masks masks(double scale) const {
         Masks result(outlines_.size());
         MaskMaker make(scale, cell_);
-        for (std::size_t i = 0; i < result.size(); ++i)
-            for (int quarter = 0; quarter < 4; ++quarter)
-                result[i][std::size_t(quarter)] = make(outlines_[i], quarter);
+        for (std::size_t i = 0; i < result.size(); ++i) result[i] = make(outlines_[i]);
         return result;
     }
 
@@ -245,7 +266,7 @@ class Packer {
     }
 
   private:
-    bool place(const std::array<Mask, 4>& turns, Grid& grid, PackedOutline& result) const {
+    bool place(const Turns& turns, Grid& grid, PackedOutline& result) const {
         double lowest = std::numeric_limits<double>::infinity();
         const Mask* best = nullptr;
         std::array<std::uint32_t, 2> at{};

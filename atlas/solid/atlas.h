@@ -150,11 +150,17 @@ struct Atlas {
     /// vertices.
     std::vector<std::uint32_t> charts;
     std::uint32_t chart_count = 0;
+    /// For each triangle the earlier one on the same points whose place it shares, or itself;
+    /// empty: no triangle shares another's place so (chart).
+    std::vector<std::uint32_t> copy_of;
     std::vector<Block> blocks;
     LayoutNotes notes;
     /// Size in texels of a compressed texture (atlas/blocks/compress_blocks.h), or of one that is
     /// not square; 0: options.size both ways.
     std::uint32_t width = 0, height = 0;
+
+    /// Whether triangle t shares the place of a triangle on the same points.
+    bool is_copy(std::size_t t) const { return !copy_of.empty() && copy_of[t] != t; }
 
     /// Width and height of the texture in texels.
     Vec2d extent() const {

@@ -84,6 +84,23 @@ TEST(FreeMap, CapsAreFlatterThanByLambert) {
     }
 }
 
+TEST(FreeMap, LargePatchesAreMappedAsWellAsSmallOnes) {
+    // The same cap with 600, 9,600 and 38,400 triangles: the larger ones by way of coarse ones.
+    const FreeMapOptions options{.iterations = 100, .least_gain = 1e-4};
+    const auto reference = map_freely(made::whole(cap(0.8, 10)), options);
+    ASSERT_TRUE(reference);
+    for (const std::uint32_t rings : {40u, 80u}) {
+        const Patch patch = made::whole(cap(0.8, rings));
+        const auto map = map_freely(patch, options);
+        ASSERT_TRUE(map) << rings;
+        EXPECT_NEAR(map->energy, reference->energy, 0.05 * (reference->energy - 1.0)) << rings;
+        EXPECT_DOUBLE_EQ(map->energy, IsometryEnergy(patch)(map->places));
+        EXPECT_FALSE(overlaps_itself(patch, map->places));
+        for (std::size_t t = 0; t < patch.triangles.size(); ++t)
+            ASSERT_GT(made::uv_area(patch, map->places, t), 0.0);
+    }
+}
+
 TEST(FreeMap, RandomDisksAreOneToOneAndTheSameEveryTime) {
     for (std::uint32_t seed = 1; seed <= 6; ++seed) {
         const Patch patch = made::random_disk(seed, 120);

@@ -154,5 +154,54 @@ TEST(ChartAtlas, StopsWhereItIsAsked) {
     EXPECT_FALSE(layout_charts(mesh, build_connectivity(mesh), charts_of(256), source.get_token()));
 }
 
+/// The ball with its first 40 triangles twice more: as they are, with their corners turned.
+Mesh ball_with_copies() {
+    Mesh mesh = made::ball(3);
+    for (std::size_t t = 0; t < 40; ++t) {
+        const Triangle v = mesh.triangles[t];
+        mesh.triangles.push_back(v);
+        mesh.triangles.push_back({v[2], v[0], v[1]});
+    }
+    return mesh;
+}
+
+TEST(ChartAtlas, CopiesOfTrianglesShareThePlaceOfTheFirst) {
+    const Mesh plain = made::ball(3), mesh = ball_with_copies();
+    const Atlas expected = laid_out(plain, 512), atlas = laid_out(mesh, 512);
+    EXPECT_EQ(atlas.chart_count, expected.chart_count);
+    for (std::size_t t = 0; t < plain.triangles.size(); ++t) {
+        EXPECT_EQ(atlas.corners[t], expected.corners[t]);
+        EXPECT_FALSE(atlas.is_copy(t));
+    }
+    for (std::size_t t = plain.triangles.size(); t < mesh.triangles.size(); ++t) {
+        const std::size_t first = (t - plain.triangles.size()) / 2;
+        EXPECT_EQ(atlas.copy_of[t], first);
+        EXPECT_EQ(atlas.charts[t], atlas.charts[first]);
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t j = 0; j < 3; ++j)
+                EXPECT_EQ(mesh.triangles[t][k] == mesh.triangles[first][j],
+                          atlas.corners[t][k] == atlas.corners[first][j]);
+    }
+}
+
+TEST(ChartAtlas, CopiesThatFaceTheOtherWayOrHaveAnotherLabelHavePlacesOfTheirOwn) {
+    Mesh mesh = made::ball(3);
+    const auto own = std::uint32_t(mesh.triangles.size());
+    const Triangle first = mesh.triangles[0], second = mesh.triangles[1];
+    mesh.triangles.push_back({first[0], first[2], first[1]});
+    mesh.triangles.push_back(second);
+    Connectivity connectivity = build_connectivity(mesh);
+    std::vector<std::uint32_t> labels(mesh.triangles.size(), 0);
+    labels.back() = 1;
+    cut_between(connectivity, mesh, labels);
+    const auto atlas = layout_charts(mesh, connectivity, charts_of(512));
+    ASSERT_TRUE(atlas);
+    EXPECT_EQ(claim_texels(*atlas).shared_texels, 0u);
+    for (std::uint32_t t = own; t < own + 2; ++t) {
+        EXPECT_FALSE(atlas->is_copy(t));
+        EXPECT_NE(atlas->charts[t], atlas->charts[t - own]);
+    }
+}
+
 }  // namespace
 }  // namespace burl

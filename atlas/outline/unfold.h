@@ -1,0 +1,28 @@
+#pragma once
+// Nets of surfaces made of flat and singly curved pieces, as machines' parts are: triangles are
+// joined across their edges without any distortion, the flattest edges first, as paper models are
+// (Mitani & Suzuki, "Making papercraft toys from meshes using strip-based approximate unfolding",
+// 2004), as long as nothing overlaps and the box round a piece grows by little more than its
+// surface.
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "atlas/mesh/connectivity.h"
+#include "atlas/mesh/mesh.h"
+#include "atlas/outline/flat_chart.h"
+
+namespace burl {
+
+/// Triangles of the largest surface that is unfolded: the time grows with their square.
+inline constexpr std::size_t most_unfolded = 4000;
+
+/// The charts of a surface's triangles, exact up to rounding; nothing where one has no area,
+/// more than `most` charts would be left, or smooth edges would be cut along more than the charts'
+/// own perimeters. Neighbours that are not among `faces` do not count.
+std::optional<std::vector<FlatChart>> unfold(const Mesh& mesh, const Connectivity& connectivity,
+                                             std::span<const std::uint32_t> faces,
+                                             std::size_t most);
+
+}  // namespace burl
