@@ -1,6 +1,7 @@
 #include "atlas/outline/divide.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -18,8 +19,8 @@ namespace {
 /// own borders would cost more.
 constexpr double small_share = 0.005, small_slack = 4.0;
 
-/// Charts of the net of a shell that is kept.
-constexpr std::size_t most_of_net = 8;
+/// Longest side of a net's charts relative to that of a square with the mesh's area.
+constexpr double longest_share = 0.75;
 
 /// The chart of a patch with these places; triangles that close holes are left out.
 FlatChart chart_of(const Patch& patch, std::vector<Vec2d> places) {
@@ -141,7 +142,8 @@ class Division {
         if (!patch.loops.empty())
             if (auto chart = flatten(std::move(patch))) charts.push_back(std::move(*chart));
         if (!charts.empty()) return charts;
-        if (auto net = unfold(mesh_, connectivity_, faces, most_of_net)) return std::move(*net);
+        const NetOptions options{.longest = longest_share * std::sqrt(area_)};
+        if (auto net = unfold(mesh_, connectivity_, faces, options)) return std::move(*net);
         return {};
     }
 

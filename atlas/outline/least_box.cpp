@@ -38,7 +38,8 @@ LeastBox least_box(const std::vector<Vec2d>& hull) {
         }
         const Vec2d size = high - low;
         if (size.x * size.y < least.area)
-            least = {size.x >= size.y ? u : v, size.x * size.y, 2.0 * (size.x + size.y)};
+            least = {size.x >= size.y ? u : v, std::max(size.x, size.y), std::min(size.x, size.y),
+                     size.x * size.y};
     }
     return least;
 }

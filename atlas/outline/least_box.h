@@ -11,7 +11,9 @@ namespace burl {
 /// A rectangle round points.
 struct LeastBox {
     Vec2d along{1.0, 0.0};  ///< direction of its longer side, of length 1
-    double area = 0.0, perimeter = 0.0;
+    double longer = 0.0, shorter = 0.0;
+    double area = 0.0;
+    double perimeter() const { return 2.0 * (longer + shorter); }
 };
 
 /// The convex hull of points, counter-clockwise (Andrew's monotone chain, 1979).

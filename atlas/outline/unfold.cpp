@@ -59,8 +59,9 @@ struct Motion {
 /// Joins a surface's triangles, each of which is a piece at first.
 class Net {
   public:
-    Net(const Mesh& mesh, const Connectivity& connectivity, std::span<const std::uint32_t> faces)
-        : mesh_(mesh), faces_(faces), other_(3 * faces.size(), none) {
+    Net(const Mesh& mesh, const Connectivity& connectivity, std::span<const std::uint32_t> faces,
+        double longest)
+        : mesh_(mesh), longest_(longest), faces_(faces), other_(3 * faces.size(), none) {
         pieces_.resize(faces.size());
         std::unordered_map<std::uint32_t, std::uint32_t> local;
         double area = 0.0;
@@ -71,8 +72,8 @@ class Net {
             has_area_ = has_area_ && own > 0.0;
             area += own;
             piece_of_.push_back(t);
-            pieces_[t] = {{t}, {at_[t].begin(), at_[t].end()}};
-            pieces_[t].box = least_box(pieces_[t].hull).area;
+            pieces_[t] = {{t}, {at_[t].begin(), at_[t].end()}, {}};
+            pieces_[t].box = least_box(pieces_[t].hull);
         }
         tolerance_ = slack * std::sqrt(area);
         for (std::uint32_t t = 0; t < faces.size(); ++t)
@@ -105,7 +106,7 @@ class Net {
             if (joint.sharpness < class_ends.size() && across(joint.a) == none)
                 cut += 2.0 * joint.length;
         for (const Piece& piece : pieces_)
-            if (!piece.triangles.empty()) round += least_box(piece.hull).perimeter;
+            if (!piece.triangles.empty()) round += piece.box.perimeter();
         return cut / round;
     }
 
@@ -123,7 +124,7 @@ class Net {
     struct Piece {
         std::vector<std::uint32_t> triangles;
         std::vector<Vec2d> hull;
-        double box = 0.0;  ///< area of the least box round it
+        LeastBox box;  ///< least box round it
     };
 
     Vec3d point(std::uint32_t edge) const {
@@ -189,8 +190,11 @@ class Net {
         std::vector<Vec2d> hull = to.hull;
         for (const Vec2d& p : from.hull) hull.push_back(motion(p));
         hull = hull_of(std::move(hull));
-        const double box = least_box(hull).area;
-        if (joint.sharpness > 0 && box > most_growth[joint.sharpness] * (to.box + from.box)) return;
+        const LeastBox box = least_box(hull);
+        if (joint.sharpness > 0 &&
+            (box.area > most_growth[joint.sharpness] * (to.box.area + from.box.area) ||
+             box.longer > longest_))
+            return;
         for (std::size_t i = 0; i < moved.size(); ++i) {
             at_[from.triangles[i]] = moved[i];
             piece_of_[from.triangles[i]] = piece_of_[keep / 3];
@@ -287,6 +291,7 @@ class Net {
     }
 
     const Mesh& mesh_;
+    double longest_;  ///< longest side of a box round joined pieces
     std::span<const std::uint32_t> faces_;
     std::vector<Corners> at_;           ///< places of the triangles' corners
     std::vector<std::uint32_t> other_;  ///< edge on the other side of each edge
@@ -303,12 +308,12 @@ class Net {
 
 std::optional<std::vector<FlatChart>> unfold(const Mesh& mesh, const Connectivity& connectivity,
                                              std::span<const std::uint32_t> faces,
-                                             std::size_t most) {
+                                             const NetOptions& options) {
     if (faces.size() > most_unfolded) return std::nullopt;
-    Net net(mesh, connectivity, faces);
+    Net net(mesh, connectivity, faces, options.longest);
     if (!net.has_area()) return std::nullopt;
     net.join_all();
-    if (net.count() > most || net.smooth_cuts() > 1.0) return std::nullopt;
+    if (net.count() > options.most || net.smooth_cuts() > 1.0) return std::nullopt;
     return net.charts();
 }
 

@@ -5,6 +5,7 @@
 // 2004), as long as nothing overlaps and the box round a piece grows by little more than its
 // surface.
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,11 +19,18 @@ namespace burl {
 /// Triangles of the largest surface that is unfolded: the time grows with their square.
 inline constexpr std::size_t most_unfolded = 4000;
 
-/// The charts of a surface's triangles, exact up to rounding; nothing where one has no area,
-/// more than `most` charts would be left, or smooth edges would be cut along more than the charts'
-/// own perimeters. Neighbours that are not among `faces` do not count.
+/// Limits of nets.
+struct NetOptions {
+    std::size_t most = 8;  ///< most charts
+    /// Longest side of the box round triangles that are joined out of their plane.
+    double longest = std::numeric_limits<double>::infinity();
+};
+
+/// The charts of a surface's triangles, exact up to rounding; nothing where one has no area, there
+/// would be too many charts, or smooth edges would be cut along more than the charts' own
+/// perimeters. Neighbours that are not among `faces` do not count.
 std::optional<std::vector<FlatChart>> unfold(const Mesh& mesh, const Connectivity& connectivity,
                                              std::span<const std::uint32_t> faces,
-                                             std::size_t most);
+                                             const NetOptions& options = {});
 
 }  // namespace burl

@@ -20,7 +20,7 @@ std::vector<std::uint32_t> all_faces(const Mesh& mesh) {
 }
 
 std::optional<std::vector<FlatChart>> unfolded(const Mesh& mesh, std::size_t most = 8) {
-    return unfold(mesh, build_connectivity(mesh), all_faces(mesh), most);
+    return unfold(mesh, build_connectivity(mesh), all_faces(mesh), {.most = most});
 }
 
 /// A closed cylinder of radius 1 with the given sides; caps are fans.
@@ -79,6 +79,22 @@ TEST(Unfold, BoxesAreNetsThatFillTheirRectangles) {
     EXPECT_LE(charts->size(), 3u);
     for (const FlatChart& chart : *charts)
         EXPECT_NEAR(least_box(hull_of(chart.outline)).area, chart.area, 1e-6);
+}
+
+TEST(Unfold, PiecesBecomeNoLongerThanAllowed) {
+    const Mesh box = made::box(1);  // with sides of 1, 2 and 3
+    std::vector<double> found;
+    for (const double most : {2.0, 5.5, 6.5, 20.0}) {
+        const auto charts = unfold(box, build_connectivity(box), all_faces(box), {.longest = most});
+        ASSERT_TRUE(charts);
+        expect_exact(box, *charts);
+        found.push_back(0.0);
+        for (const FlatChart& chart : *charts)
+            found.back() = std::max(found.back(), least_box(hull_of(chart.outline)).longer);
+        EXPECT_LE(found.back(), std::max(most, 3.0) + 1e-9) << "a side is never divided";
+    }
+    EXPECT_NEAR(found[0], 3.0, 1e-9);
+    EXPECT_GT(found[2], found[0]);
 }
 
 TEST(Unfold, CylindersAreARectangleAndTwoDisks) {
