@@ -231,11 +231,19 @@ BatchEntry bake_of(const ManifestEntry& entry, std::size_t i, const fs::path& fo
     }
 }
 
-/// The bakes of the entries that are in the shard.
+/// The most bakes of one command: each takes some 6 kB before it begins.
+constexpr std::size_t most_bakes = 100'000;
+
+/// The bakes of the entries that are in the shard. Throws Error(unsupported) for too many.
 std::vector<BatchEntry> bakes_of(const std::vector<ManifestEntry>& entries, const fs::path& folder,
                                  const BatchShard& shard) {
     std::size_t count = 0;
     for (const ManifestEntry& entry : entries) count += entry.count();
+    if (shard.last(count) - shard.first(count) > most_bakes)
+        throw Error(ExitCode::unsupported,
+                    fmt::format("that are {} bakes, and {} are the most at a time; share them out "
+                                "with --shard",
+                                shard.last(count) - shard.first(count), most_bakes));
     std::vector<BatchEntry> bakes;
     std::size_t begin = 0;  // of the entry's bakes among all
     for (const ManifestEntry& entry : entries) {

@@ -102,19 +102,18 @@ void fill_names(Json& entry, const MatrixKeys& keys) {
 }  // namespace
 
 Combinations::Combinations(const Json& entry, const MatrixKeys& keys) : keys_(keys) {
-    for (const auto& item : entry.items())
+    for (const auto& item : entry.items()) {
         axes_.emplace_back(item.key(), elements_of(item.key(), item.value(), keys));
-}
-
-std::size_t Combinations::count() const {
-    std::size_t count = 1;
-    for (const auto& [key, elements] : axes_) count *= elements.size();
-    return count;
+        if (axes_.back().second.size() > most_combinations / count_)
+            throw Error(ExitCode::invalid_file,
+                        "its lists stand for more than 10^12 bakes; make them shorter");
+        count_ *= axes_.back().second.size();
+    }
 }
 
 Json Combinations::operator[](std::size_t i) const {
     Json bake = Json::object();
-    std::size_t slower = count();
+    std::size_t slower = count_;
     for (const auto& [key, elements] : axes_) {
         slower /= elements.size();
         bake[key] = elements[i / slower % elements.size()];

@@ -23,6 +23,9 @@ struct MatrixKeys {
     std::string folder{};  ///< where relative patterns start
 };
 
+/// The largest number of bakes that an entry may stand for.
+inline constexpr std::size_t most_combinations = 1'000'000'000'000;
+
 /// The bakes that an entry stands for: every combination of the elements of its lists, the first
 /// list changing slowest, with patterns replaced by the paths that match, in alphabetical order. In
 /// the values of `output`, `solid-map` and `emit-glsl`, {KEY} is replaced by that bake's value of
@@ -32,15 +35,16 @@ struct MatrixKeys {
 class Combinations {
   public:
     /// Takes an entry, an object; `keys` must outlive this object. Throws Error(invalid_file) for
-    /// an empty list and a pattern that nothing matches.
+    /// an empty list, a pattern that nothing matches, and more than most_combinations.
     Combinations(const Json& entry, const MatrixKeys& keys);
 
-    std::size_t count() const;
+    std::size_t count() const { return count_; }
     /// The bake number i, from 0 on. Throws Error(invalid_file) for a {KEY} that it does not have.
     Json operator[](std::size_t i) const;
 
   private:
     std::vector<std::pair<std::string, Json>> axes_;  ///< keys with the elements of their lists
+    std::size_t count_ = 1;
     const MatrixKeys& keys_;
 };
 

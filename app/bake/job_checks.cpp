@@ -15,6 +15,7 @@ namespace burl {
 
 /// Throws Error if an output would replace a file that is read or another output.
 void BakeJob::check_files(const std::vector<std::string>& paths) const {
+    check_scene_name(command_.out);
     CommandFiles files;
     if (command_.makes_folders) files.allow_new_folders();
     files.read(inputs_);

@@ -38,11 +38,19 @@ std::size_t line_of_number(const std::string& text, std::string_view what) {
     return byte == std::string::npos ? 0 : line_of(text, byte);
 }
 
-/// A parser callback that finds the first key given twice in one object; the library itself keeps
-/// the last value.
+/// Whether a key or value is a text with U+0000, at which names of files would end.
+bool has_null(Json::parse_event_t event, const Json& parsed) {
+    const bool text = event == Json::parse_event_t::key || event == Json::parse_event_t::value;
+    return text && parsed.is_string() &&
+           parsed.get_ref<const std::string&>().find('\0') != std::string::npos;
+}
+
+/// A parser callback that finds the first key given twice in one object, of which the library
+/// itself keeps the last value, and texts with U+0000.
 class RepeatedKeys {
   public:
     bool operator()(int, Json::parse_event_t event, const Json& parsed) {
+        null_ = null_ || has_null(event, parsed);
         if (event == Json::parse_event_t::object_start) open_.emplace_back();
         if (event == Json::parse_event_t::object_end) open_.pop_back();
         if (event == Json::parse_event_t::key && first_.empty()) {
@@ -52,10 +60,12 @@ class RepeatedKeys {
         return true;
     }
     const std::string& first() const { return first_; }
+    bool any_null() const { return null_; }
 
   private:
     std::vector<std::set<std::string>> open_;
     std::string first_;
+    bool null_ = false;
 };
 
 /// The reason to stop parsing a document that is too deep.
@@ -96,6 +106,8 @@ Json parse_json_text(const std::string& text, const std::string& origin) {
         Json json = Json::parse(text, [&keys](int depth, Json::parse_event_t event, Json& parsed) {
             return is_shallow(depth) && keys(depth, event, parsed);
         });
+        if (keys.any_null())
+            throw invalid_file(origin, 0, "a text holds U+0000, which names cannot have");
         if (!keys.first().empty())
             throw invalid_file(
                 origin, 0, fmt::format("the key \"{}\" is given twice; keep one", keys.first()));

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 inline constexpr int max_json_depth = 1000;
 
 /// Parses a whole document; `origin` names it in errors. Throws Error(invalid_file) "origin:line:
-/// ..." also for a document deeper than max_json_depth.
+/// ..." also for a document deeper than max_json_depth, and for texts with U+0000.
 Json parse_json_text(const std::string& text, const std::string& origin);
 
 /// The value that the text spells; discarded if it is not JSON or deeper than max_json_depth.

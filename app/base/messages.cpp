@@ -87,12 +87,23 @@ StatusLine& status_line() {
     return *only;
 }
 
+/// A line is shown up to so many bytes: names in files may be megabytes long.
+constexpr std::size_t longest_line = 1200;
+
+/// The printable line, without its middle where it is too long.
+std::string shown(std::string_view line) {
+    if (line.size() <= longest_line) return printable(line);
+    constexpr std::size_t begin = 800, end = 300;
+    return fmt::format("{} [{} bytes left out] {}", printable(line.substr(0, begin)),
+                       line.size() - begin - end, printable(line.substr(line.size() - end)));
+}
+
 /// Writes a line above the status; whether it was written.
 bool write_line(std::string_view line, std::FILE* stream) {
     StatusLine& status = status_line();
     const std::lock_guard lock(status.mutex);
     status.clear();
-    bool written = write_bytes(printable(line) + "\n", stream);
+    bool written = write_bytes(shown(line) + "\n", stream);
     if (stream == stdout) written = std::fflush(stdout) == 0 && written;
     status.draw();
     return written;

@@ -11,11 +11,11 @@ namespace burl {
 /// U+007F to U+009F) and bytes that are not UTF-8 become \x1b and the like. All other UTF-8 stays.
 std::string printable(std::string_view text);
 
-/// Prints a printable() line to stdout and flushes it, so that readers of a file or pipe see it at
-/// once. Throws std::system_error where it cannot be written.
+/// Prints a printable() line, without its middle beyond 1200 bytes, to stdout and flushes it, so
+/// that readers see it at once. Throws std::system_error where it cannot be written.
 void print_line(std::string_view line);
 
-/// Prints a printable() line to stderr; a stderr that cannot be written to is ignored.
+/// Prints a line to stderr as print_line() does; a stderr that cannot be written to is ignored.
 void warn(std::string_view sentence);
 
 /// Shows a printable() line below all messages on stderr, a terminal, in place of the last one, as

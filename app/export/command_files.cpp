@@ -61,6 +61,18 @@ std::string in_existing_folder(const std::string& path) {
     return file.string();
 }
 
+/// File systems have room for names of so many bytes (limits.h of Linux).
+constexpr std::size_t longest_name = 255;
+
+void check_output_name(const std::string& path) {
+    const std::size_t bytes = fs::path(path).filename().string().size();
+    if (bytes > longest_name)
+        throw Error(ExitCode::io,
+                    fmt::format("{}: its name has {} bytes, and files have {} at most; give the "
+                                "output a shorter name",
+                                path, bytes, longest_name));
+}
+
 void check_output_file(const std::string& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
@@ -154,12 +166,25 @@ void CommandFiles::write(const std::string& path, std::string_view extension) {
                     fmt::format("{}: the name must end in {}, which is what is written there", path,
                                 extension));
     }
+    check_output_name(path);
     check_output_folder(new_folders_ ? in_existing_folder(path) : path);
     check_output_file(path);
     if (const auto* other = read_.find(path)) refuse_overwriting(path, other->name, "reads");
     if (const auto* other = written_.find_path(path))
         refuse_overwriting(path, other->name, "also writes");
     written_.add(path);
+}
+
+void check_scene_name(const std::string& out) {
+    const std::string name = fs::path(out).filename().string();
+    const auto unreadable = [](char c) { return c == '\\' || (c >= 0 && c < ' ') || c == '\x7f'; };
+    const bool names_others = lower_extension(out) == ".gltf" || lower_extension(out) == ".obj";
+    if (names_others && std::ranges::any_of(name, unreadable))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: the files beside it are named after it, and other programs do "
+                                "not find names with a backslash or a control character; give it "
+                                "another name, or write a .glb",
+                                out));
 }
 
 std::vector<std::string> files_of_mesh(const std::string& mesh_path, MeshFiles which) {

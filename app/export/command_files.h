@@ -51,14 +51,20 @@ class CommandFiles {
     void read(std::span<const std::string> paths);
 
     /// Adds an output. Throws Error: usage where the name does not end in `extension` (in lower
-    /// case; empty: any); io where the folder is missing or not writable, where something else than
-    /// a regular file has the name, or where the file is an input or another output.
+    /// case; empty: any); io where the name is too long, the folder is missing or not writable,
+    /// where something else than a regular file has the name, or where the file is an input or
+    /// another output.
     void write(const std::string& path, std::string_view extension = {});
 
   private:
     FileNames read_, written_;
     bool new_folders_ = false;
 };
+
+/// Throws Error(usage) where files beside the output, which name others after it, would name what
+/// readers do not find: a backslash begins a folder's name to some of them, and a line ends at a
+/// control character.
+void check_scene_name(const std::string& out);
 
 enum class MeshFiles {
     read,   ///< the files that the mesh is made of: its own and a glTF's buffers

@@ -57,12 +57,31 @@ std::array<const char*, 3> light_channels(const Imf::ChannelList& all, const std
                 fmt::format("{}: it has no channels R, G and B at full size; convert it", path));
 }
 
-Image<RgbF> read_light(Imf::InputFile& file, const std::string& path) {
+/// More pixels than a byte of a file can hold: zlib packs 1032 bytes into one, and the compression
+/// by blocks (DWA) 64 pixels before that.
+std::int64_t most_pixels_per_byte(Imf::Compression compression) {
+    const bool blocks =
+        compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
+    return blocks ? 64 * 1032 : 1032;
+}
+
+/// Throws Error(invalid_file) where a file of so many bytes cannot hold so many pixels, for which
+/// memory would be filled first.
+void check_pixels(const Imf::Header& header, std::int64_t pixels, std::size_t bytes,
+                  const std::string& path) {
+    if (pixels / most_pixels_per_byte(header.compression()) > std::int64_t(bytes))
+        throw invalid_file(
+            path, 0,
+            fmt::format("it claims {} pixels, but has {} bytes only (truncated)", pixels, bytes));
+}
+
+Image<RgbF> read_light(Imf::InputFile& file, std::size_t bytes, const std::string& path) {
     const Imath::Box2i box = file.header().dataWindow();
     const std::int64_t width = std::int64_t{box.max.x} - box.min.x + 1,
                        height = std::int64_t{box.max.y} - box.min.y + 1;
     if (width <= 0 || height <= 0 || width > most_exr_pixels / height)
         throw invalid_file(path, 0, "it claims more than 2^27 pixels, or none");
+    check_pixels(file.header(), width * height, bytes, path);
     const auto names = light_channels(file.header().channels(), path);
     Image<RgbF> image{std::size_t(width), std::size_t(height)};
     Imf::FrameBuffer frame;
@@ -85,7 +104,7 @@ Image<RgbF> read_exr(const std::string& path) {
     ExrBytes stream(content, path);
     try {
         Imf::InputFile file(stream);
-        return read_light(file, path);
+        return read_light(file, content.size(), path);
     } catch (const Error&) {
         throw;
     } catch (const std::exception& e) {

@@ -111,9 +111,10 @@ bool Carver::covers_all(const GltfPartOrigin& part) const {
 /// Gives each part a mesh of the document: its own, or a copy where others draw that, too.
 void Carver::place_parts() {
     const std::vector<GltfPartOrigin>& parts = carved_.origins.parts;
+    std::map<int, std::size_t> users;  // parts of each mesh
+    for (const GltfPartOrigin& part : parts) ++users[part.mesh];
     for (const GltfPartOrigin& part : parts) {
-        const auto same = [&](const GltfPartOrigin& other) { return other.mesh == part.mesh; };
-        const bool alone = std::ranges::count_if(parts, same) == 1;
+        const bool alone = users.at(part.mesh) == 1;
         const bool copied = document_.copies.contains({part.mesh, part.nodes});
         if (!copied && alone && (!carved_.origins.drops_nodes || covers_all(part))) {
             mesh_of_part_.push_back(std::size_t(part.mesh));

@@ -12,7 +12,7 @@
 namespace burl {
 namespace {
 
-/// The array of the document, made where it is missing.
+/// The array of the document, made where it is missing, which ends all references to its others.
 Json& array_of(Json& document, const char* name) {
     if (!document.contains(name)) document[name] = Json::array();
     return document[name];
@@ -36,9 +36,9 @@ CarvedMaterial::CarvedMaterial(KeptDocument& document, const SceneContent& conte
         if (std::ranges::find(required, Json(webp_extension)) == required.end())
             required.push_back(webp_extension);
     }
+    const std::size_t sampler = add_sampler();
     Json& textures = array_of(document.json, "textures");
     first_texture_ = textures.size();
-    const std::size_t sampler = add_sampler();
     for (Json& texture : gltf_textures(named, {first_texture_, first_image, sampler}))
         textures.push_back(std::move(texture));
 }
@@ -76,17 +76,18 @@ void CarvedMaterial::use_at(std::array<std::size_t, 2> primitive, std::uint32_t 
     users_[{target.value("material", -1), uv_set, share}].push_back(primitive);
 }
 
-/// Whether a primitive, or a variant of one, has the material.
-bool CarvedMaterial::is_used(int material) const {
+/// The materials that primitives and variants of them have.
+std::set<int> CarvedMaterial::used_materials() const {
+    std::set<int> used;
+    const auto variants = Json::json_pointer("/extensions/KHR_materials_variants/mappings");
     for (const Json& mesh : document_.json["meshes"])
         for (const Json& primitive : mesh.at("primitives")) {
-            if (primitive.value("material", -1) == material) return true;
-            const auto variants = Json::json_pointer("/extensions/KHR_materials_variants/mappings");
+            used.insert(primitive.value("material", -1));
             if (!primitive.contains(variants)) continue;
             for (const Json& mapping : primitive[variants])
-                if (mapping.value("material", -1) == material) return true;
+                used.insert(mapping.value("material", -1));
         }
-    return false;
+    return used;
 }
 
 const std::string& CarvedMaterial::recipe_of(const Key& key) const {
@@ -112,17 +113,18 @@ Json CarvedMaterial::made_for(const Key& key, bool in_place) const {
 }
 
 void CarvedMaterial::assign() {
-    Json& materials = array_of(document_.json, "materials");
     const auto target = [&](const std::array<std::size_t, 2>& id) -> Json& {
         return document_.json["meshes"][id[0]]["primitives"][id[1]];
     };
     for (const auto& [key, primitives] : users_)
         for (const auto& id : primitives) target(id).erase("material");
+    std::set<int> used = used_materials();
     for (const auto& [key, primitives] : users_) {
-        const bool in_place = key.material >= 0 && !is_used(key.material);
+        const bool in_place = key.material >= 0 && used.insert(key.material).second;
         Json made = made_for(key, in_place);
         if (made.contains("extensions"))
             for (const auto& item : made["extensions"].items()) document_.use_extension(item.key());
+        Json& materials = array_of(document_.json, "materials");
         const std::size_t number = in_place ? std::size_t(key.material) : materials.size();
         if (in_place)
             materials[number] = std::move(made);

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,7 +43,7 @@ class CarvedMaterial {
 
     void add_image(const SceneImage& image);
     std::size_t add_sampler();
-    bool is_used(int material) const;
+    std::set<int> used_materials() const;
     const std::string& recipe_of(const Key& key) const;
     Json made_for(const Key& key, bool in_place) const;
 

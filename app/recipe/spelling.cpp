@@ -39,6 +39,11 @@ bool is_there(const Json& recipe, const Spelling& one) {
     return has(recipe, outer) && (!inner || has(recipe[outer], inner));
 }
 
+/// Whether the value can be put there: a "bump" must be an object.
+bool has_room(const Json& recipe, const Spelling& one) {
+    return !one.keys[1] || !recipe.contains(one.keys[0]) || recipe[one.keys[0]].is_object();
+}
+
 /// The value as a node: "texture" takes no bare number or colour.
 Json as_node(const Spelling& one, Json value) {
     if (one.keys[1] || value.is_object() || is_graph_name(value)) return value;
@@ -54,7 +59,7 @@ bool lies_at(const std::string& path, const std::string& front) {
 
 Json respelled(Json recipe) {
     for (const Spelling& one : spellings()) {
-        if (!is_written(recipe, one)) continue;
+        if (!is_written(recipe, one) || !has_room(recipe, one)) continue;
         Json value = as_node(one, recipe["material"][one.key]);
         recipe["material"].erase(one.key);
         Json& outer = recipe[one.keys[0]];
@@ -68,11 +73,17 @@ Json as_base_color(Json value) {
 }
 
 std::optional<RecipeProblem> find_spelling_problem(const Json& recipe) {
-    for (const Spelling& one : spellings())
-        if (is_written(recipe, one) && is_there(recipe, one))
+    for (const Spelling& one : spellings()) {
+        if (!is_written(recipe, one)) continue;
+        if (!has_room(recipe, one))
+            return RecipeProblem{
+                one.keys[0],
+                fmt::format("{} must be an object, of which {} is a part", one.keys[0], one.path)};
+        if (is_there(recipe, one))
             return RecipeProblem{
                 one.written,
                 fmt::format("{} and {} are the same; give one of them", one.written, one.path)};
+    }
     return {};
 }
 

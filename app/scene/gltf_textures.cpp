@@ -9,6 +9,7 @@
 #include "app/image/picture_read.h"
 #include "atlas/base/error.h"
 #include "atlas/file/text_scanner.h"
+#include "atlas/gltf/container.h"
 
 namespace burl {
 
@@ -103,9 +104,10 @@ PictureColors GltfTextures::image(int number) const {
                         path_, pictures_read));
     const tinygltf::Image& image = model_.images[std::size_t(number)];
     if (image.image.empty()) {
+        const bool confined = !confined_file_name(image.uri).empty();
         throw Error(ExitCode::io,
-                    fmt::format("{}: the texture '{}' is not there; put it beside the file", path_,
-                                printable(image.uri)));
+                    fmt::format("{}: the texture '{}' {}", path_, printable(image.uri),
+                                confined ? "is not there; put it beside the file" : confined_rule));
     }
     return decode_picture(image.image, fmt::format("{}: {}", path_, where));
 }

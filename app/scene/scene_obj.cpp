@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -49,14 +51,16 @@ struct MaterialUse {
 MaterialUse find_materials(const std::string& path) {
     const FileBuffer file = read_file(path);
     MaterialUse use;
+    std::map<std::string, std::uint32_t> numbers;
     std::uint32_t current = no_index;
     for_each_line(file.text(), [&](std::string_view keyword, std::string_view rest) {
         if (keyword == "mtllib") use.library = rest;
         if (keyword == "f" || keyword == "fo") use.of_face.push_back(current);
         if (keyword != "usemtl") return;
-        const auto found = std::ranges::find(use.names, rest);
-        current = std::uint32_t(found - use.names.begin());
-        if (found == use.names.end()) use.names.emplace_back(rest);
+        const auto [found, is_new] =
+            numbers.try_emplace(std::string(rest), std::uint32_t(use.names.size()));
+        current = found->second;
+        if (is_new) use.names.emplace_back(rest);
     });
     return use;
 }
@@ -118,18 +122,23 @@ void parse_line(const FileBuffer& file, std::string_view keyword, std::string_vi
         material.packed = rest.substr(packed_comment.size());
 }
 
-std::optional<ObjMaterial> parse_material(const FileBuffer& file, const std::string& name) {
-    std::optional<ObjMaterial> material;
-    bool inside = false;
+/// The library's materials of these names; of several with one name the first.
+std::map<std::string, ObjMaterial> parse_materials(const FileBuffer& file,
+                                                   std::span<const std::string> names) {
+    const std::set<std::string_view> wanted(names.begin(), names.end());
+    std::map<std::string, ObjMaterial> materials;
+    ObjMaterial* current = nullptr;
     for_each_line(file.text(), [&](std::string_view keyword, std::string_view rest) {
         if (keyword == "newmtl") {
-            inside = rest == name && !material;
-            if (inside) material.emplace();
-        } else if (inside) {
-            parse_line(file, keyword, rest, *material);
+            current = nullptr;
+            if (!wanted.contains(rest)) return;
+            const auto [made, is_new] = materials.try_emplace(std::string(rest));
+            if (is_new) current = &made->second;
+        } else if (current) {
+            parse_line(file, keyword, rest, *current);
         }
     });
-    return material;
+    return materials;
 }
 
 bool file_exists(const std::filesystem::path& path) {
@@ -150,9 +159,11 @@ std::vector<std::optional<ObjMaterial>> find_looks(const std::string& path, cons
         return looks;
     }
     const FileBuffer file = read_file(library.string());
+    const std::map<std::string, ObjMaterial> materials = parse_materials(file, use.names);
     for (std::size_t i = 0; i < looks.size(); ++i) {
-        looks[i] = parse_material(file, use.names[i]);
-        if (!looks[i])
+        if (const auto found = materials.find(use.names[i]); found != materials.end())
+            looks[i] = found->second;
+        else
             notes.push_back(fmt::format("{}: no material {} in {}; drawn without", path,
                                         printable(use.names[i]), printable(use.library)));
     }

@@ -29,5 +29,9 @@ std::int64_t data_uri_bytes(std::string_view uri);
 /// The uri with %XX decoded, if it names a file in the glTF's folder or below: no scheme, no
 /// absolute path, no "..", no backslash. Empty otherwise.
 std::string confined_file_name(std::string_view uri);
+/// The end of a sentence about a uri that has no confined_file_name().
+inline constexpr auto confined_rule =
+    "may lead out of the file's folder, as absolute ones do, and those with '..', ':' or a "
+    "backslash; put what it names beside the file, under a plain name";
 
 }  // namespace burl

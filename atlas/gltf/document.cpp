@@ -129,9 +129,7 @@ void check_buffer(const GltfChecker& gltf, const Json& buffer, std::size_t i,
     }
     const std::string name = confined_file_name(*uri);
     if (name.empty())
-        gltf.fail(where,
-                  fmt::format("the uri '{}' leaves the file's folder; put the buffer beside it",
-                              printable(*uri)));
+        gltf.fail(where, fmt::format("the uri '{}' {}", printable(*uri), confined_rule));
     const FileBuffer file = read_file((folder / name).string());
     expect(file.size);
     files[virtual_folder + '/' + name] = bytes_of(file, size);

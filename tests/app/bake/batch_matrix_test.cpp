@@ -69,6 +69,11 @@ TEST(BatchMatrix, WhatCannotBeIsRefused) {
     refused(R"({"mesh": [], "output": "a.png"})");
     refused(R"({"mesh": "a.obj", "output": "{material}.png"})");
     refused(R"({"mesh": "a.obj", "set": ["a=1"], "output": "{set}.png"})");
+    Json huge;  // 256^8 = 2^64 bakes, which is 0 in 64 bits
+    for (const char* key :
+         {"mesh", "recipe", "size", "atlas", "levels", "crease", "kernel", "pose"})
+        huge[key] = Json(std::vector<int>(256, 1));
+    refused(huge.dump().c_str());
 }
 
 TEST(BatchMatrix, WhatIsNoMatrixIsItself) {

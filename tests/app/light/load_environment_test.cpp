@@ -142,6 +142,22 @@ TEST(LoadEnvironment, RefusesHugeClaimsWithoutMakingRoom) {
     expect_refused(folder / "c.hdr", ExitCode::invalid_file, "no header");
 }
 
+TEST(LoadEnvironment, RefusesExrThatClaimsMoreThanItsBytesCanHold) {
+    const ScratchFolder folder;
+    write_exr(folder / "whole.exr", Image<RgbF>(64, 32)).commit();
+    std::ifstream stream(folder / "whole.exr", std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    // Black packs best of all, and is read.
+    EXPECT_EQ(load_environment(folder / "whole.exr").radiance.width(), 64u);
+    // The window's last column and row stand behind the names, a length and the first ones.
+    const std::string_view names("dataWindow\0box2i\0", 17);
+    const std::size_t at = bytes.find(names) + names.size() + 4 + 8;
+    const std::int32_t last[] = {15999999, 7};  // as many rows as one table of offsets has
+    std::memcpy(bytes.data() + at, last, sizeof last);
+    write_bytes(folder / "a.exr", bytes);
+    expect_refused(folder / "a.exr", ExitCode::invalid_file, "claims 128000000 pixels");
+}
+
 TEST(LoadEnvironment, RefusesLightThatIsNone) {
     const ScratchFolder folder;
     for (const float bad :
