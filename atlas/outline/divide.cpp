@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "atlas/chart/planar_map.h"
+#include "atlas/outline/least_box.h"
 #include "atlas/outline/unfold.h"
 #include "atlas/patch/cut.h"
 
@@ -19,8 +20,13 @@ namespace {
 /// own borders would cost more.
 constexpr double small_share = 0.005, small_slack = 4.0;
 
-/// Longest side of a net's charts relative to that of a square with the mesh's area.
-constexpr double longest_share = 0.75;
+/// Longest side of the box round a chart relative to that of a square with the mesh's area: a
+/// longer chart would leave much of the texture empty. Charts of up to `few_triangles` are kept all
+/// the same.
+constexpr double longest_chart = 1.3;
+constexpr std::size_t few_triangles = 16;
+/// Longest side of the box round a net's chart, likewise.
+constexpr double longest_net = 0.75;
 
 /// The chart of a patch with these places; triangles that close holes are left out.
 FlatChart chart_of(const Patch& patch, std::vector<Vec2d> places) {
@@ -142,20 +148,29 @@ class Division {
         if (!patch.loops.empty())
             if (auto chart = flatten(std::move(patch))) charts.push_back(std::move(*chart));
         if (!charts.empty()) return charts;
-        const NetOptions options{.longest = longest_share * std::sqrt(area_)};
+        const NetOptions options{.longest = longest_net * std::sqrt(area_)};
         if (auto net = unfold(mesh_, connectivity_, faces, options)) return std::move(*net);
         return {};
     }
 
-    /// The chart of a connected patch; nothing where it would be distorted too much or overlap.
+    /// The chart of a connected patch; nothing where it would be distorted too much, overlap, or be
+    /// too long.
     std::optional<FlatChart> flatten(Patch patch) const {
-        if (const auto planar = map_planar(patch)) return chart_of(patch, in_plane(*planar));
+        if (const auto planar = map_planar(patch))
+            return unless_too_long(chart_of(patch, in_plane(*planar)));
         if (!cut_to_disk(patch, connectivity_)) return std::nullopt;
         const double most = most_energy(area_of(patch));
         auto map = map_freely(patch, {.wanted = most});
         if (!map || !(map->energy <= most) || overlaps_itself(patch, map->places))
             return std::nullopt;
-        return chart_of(patch, std::move(map->places));
+        return unless_too_long(chart_of(patch, std::move(map->places)));
+    }
+
+    std::optional<FlatChart> unless_too_long(FlatChart chart) const {
+        if (chart.faces.size() > few_triangles &&
+            least_box(hull_of(chart.outline)).longer > longest_chart * std::sqrt(area_))
+            return std::nullopt;
+        return chart;
     }
 
     double most_energy(double area) const {

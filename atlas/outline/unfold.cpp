@@ -64,18 +64,17 @@ class Net {
         : mesh_(mesh), longest_(longest), faces_(faces), other_(3 * faces.size(), none) {
         pieces_.resize(faces.size());
         std::unordered_map<std::uint32_t, std::uint32_t> local;
-        double area = 0.0;
         for (std::uint32_t t = 0; t < faces.size(); ++t) {
             local.emplace(faces[t], t);
             lay_flat(t);
             const double own = 0.5 * cross(at_[t][1] - at_[t][0], at_[t][2] - at_[t][0]);
             has_area_ = has_area_ && own > 0.0;
-            area += own;
+            area_ += own;
             piece_of_.push_back(t);
             pieces_[t] = {{t}, {at_[t].begin(), at_[t].end()}, {}};
             pieces_[t].box = least_box(pieces_[t].hull);
         }
-        tolerance_ = slack * std::sqrt(area);
+        tolerance_ = slack * std::sqrt(area_);
         for (std::uint32_t t = 0; t < faces.size(); ++t)
             for (std::uint32_t k = 0; k < 3; ++k)
                 if (const auto n = local.find(std::uint32_t(connectivity.neighbours[faces[t]][k]));
@@ -300,7 +299,7 @@ class Net {
     std::vector<Joint> joints_;
     /// Sizes of pairs of pieces when they were tried last.
     std::unordered_map<std::uint64_t, std::pair<std::size_t, std::size_t>> tried_;
-    double tolerance_ = 0.0;
+    double area_ = 0.0, tolerance_ = 0.0;
     bool has_area_ = true;
 };
 

@@ -82,6 +82,16 @@ TEST(ChartAtlas, FlatSheetsAreOneChartAndKeepTheirLengths) {
     }
 }
 
+TEST(ChartAtlas, LongSheetsAreDividedRatherThanLeaveTheTextureEmpty) {
+    Mesh mesh = made::grid(80, 4);
+    for (Vec3d& p : mesh.positions) p = {20.0 * p.x, p.y, 0.0};
+    const Atlas atlas = laid_out(mesh, 512);
+    EXPECT_GT(atlas.chart_count, 4u);
+    double texels = 0.0;
+    for (const auto& c : atlas.corners) texels += 0.5 * cross(c[1] - c[0], c[2] - c[0]);
+    EXPECT_GT(texels, 0.6 * 512 * 512) << "a single chart would have 0.05";
+}
+
 TEST(ChartAtlas, ShellsThatLieFlatAreOneChartEach) {
     // A closed ball beside a half tube: the tube is one chart, since nothing need be cut.
     Mesh mesh = made::ball(2);
