@@ -25,7 +25,7 @@ constexpr double small_share = 0.005, small_slack = 4.0;
 /// the same.
 constexpr double longest_chart = 1.3;
 constexpr std::size_t few_triangles = 16;
-/// Longest side of the box round a net's chart, likewise.
+/// Longest side of the box round triangles of a net that do not lie in a plane, likewise.
 constexpr double longest_net = 0.75;
 
 /// The chart of a patch with these places; triangles that close holes are left out.
@@ -148,7 +148,8 @@ class Division {
         if (!patch.loops.empty())
             if (auto chart = flatten(std::move(patch))) charts.push_back(std::move(*chart));
         if (!charts.empty()) return charts;
-        const NetOptions options{.longest = longest_net * std::sqrt(area_)};
+        const NetOptions options{.longest_flat = longest_chart * std::sqrt(area_),
+                                 .longest = longest_net * std::sqrt(area_)};
         if (auto net = unfold(mesh_, connectivity_, faces, options)) return std::move(*net);
         return {};
     }

@@ -60,8 +60,8 @@ struct Motion {
 class Net {
   public:
     Net(const Mesh& mesh, const Connectivity& connectivity, std::span<const std::uint32_t> faces,
-        double longest)
-        : mesh_(mesh), longest_(longest), faces_(faces), other_(3 * faces.size(), none) {
+        const NetOptions& options)
+        : mesh_(mesh), options_(options), faces_(faces), other_(3 * faces.size(), none) {
         pieces_.resize(faces.size());
         std::unordered_map<std::uint32_t, std::uint32_t> local;
         for (std::uint32_t t = 0; t < faces.size(); ++t) {
@@ -190,9 +190,9 @@ class Net {
         for (const Vec2d& p : from.hull) hull.push_back(motion(p));
         hull = hull_of(std::move(hull));
         const LeastBox box = least_box(hull);
-        if (joint.sharpness > 0 &&
-            (box.area > most_growth[joint.sharpness] * (to.box.area + from.box.area) ||
-             box.longer > longest_))
+        const bool flat = joint.sharpness == 0;
+        if (box.longer > (flat ? options_.longest_flat : options_.longest) ||
+            (!flat && box.area > most_growth[joint.sharpness] * (to.box.area + from.box.area)))
             return;
         for (std::size_t i = 0; i < moved.size(); ++i) {
             at_[from.triangles[i]] = moved[i];
@@ -290,7 +290,7 @@ class Net {
     }
 
     const Mesh& mesh_;
-    double longest_;  ///< longest side of a box round joined pieces
+    NetOptions options_;
     std::span<const std::uint32_t> faces_;
     std::vector<Corners> at_;           ///< places of the triangles' corners
     std::vector<std::uint32_t> other_;  ///< edge on the other side of each edge
@@ -309,7 +309,7 @@ std::optional<std::vector<FlatChart>> unfold(const Mesh& mesh, const Connectivit
                                              std::span<const std::uint32_t> faces,
                                              const NetOptions& options) {
     if (faces.size() > most_unfolded) return std::nullopt;
-    Net net(mesh, connectivity, faces, options.longest);
+    Net net(mesh, connectivity, faces, options);
     if (!net.has_area()) return std::nullopt;
     net.join_all();
     if (net.count() > options.most || net.smooth_cuts() > 1.0) return std::nullopt;

@@ -22,7 +22,8 @@ inline constexpr std::size_t most_unfolded = 4000;
 /// Limits of nets.
 struct NetOptions {
     std::size_t most = 8;  ///< most charts
-    /// Longest side of the box round triangles that are joined out of their plane.
+    /// Longest sides of the boxes round triangles that are joined in their plane, and out of it.
+    double longest_flat = std::numeric_limits<double>::infinity();
     double longest = std::numeric_limits<double>::infinity();
 };
 
