@@ -112,7 +112,7 @@ TEST(BenchSynthesis, SaysHowLongSpansAre) {
         EXPECT_EQ(table.find("texels per span", words + 5), std::string::npos);
         return *rows[0].texels_per_span;
     };
-    const double coarse = mean_of(bumpy_sphere(300), 128), fine = mean_of(bumpy_sphere(300), 256);
+    const double coarse = mean_of(bumpy_sphere(300), 256), fine = mean_of(bumpy_sphere(300), 512);
     EXPECT_GT(coarse, 2.0);
     EXPECT_NEAR(fine / coarse, 2.0, 0.4) << "triangles twice as wide have spans twice as long";
 }
