@@ -1,67 +1,15 @@
-// The rectangle of least area round a point set has a side along an edge of the convex hull
-// (Freeman & Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed
-// curve", 1975); every hull edge is tried.
 #include "atlas/chart/planar_map.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "atlas/chart/least_rectangle.h"
 
 namespace burl {
 namespace {
 
 constexpr double least_flatness = 0.9999, most_thickness = 0.002;
-
-/// The convex hull, counter-clockwise, without points on its edges (Andrew's monotone chain).
-std::vector<Vec2d> convex_hull(std::vector<Vec2d> points) {
-    std::sort(points.begin(), points.end(),
-              [](const Vec2d& a, const Vec2d& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-    std::vector<Vec2d> hull;
-    const auto append = [&](const Vec2d& p, std::size_t keep) {
-        while (hull.size() >= keep + 2 &&
-               cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
-            hull.pop_back();
-        hull.push_back(p);
-    };
-    for (const Vec2d& p : points) append(p, 0);
-    const std::size_t lower = hull.size() - 1;
-    for (std::size_t i = points.size() - 1; i-- > 0;) append(points[i], lower);
-    if (hull.size() > 1) hull.pop_back();
-    return hull;
-}
-
-/// A rectangle with a side along the unit vector `axis`; its extent is in coordinates along the
-/// axis and to its left.
-struct Rectangle {
-    Vec2d axis{1.0, 0.0}, low{0.0}, high{0.0};
-    double area() const { return (high.x - low.x) * (high.y - low.y); }
-};
-
-Rectangle rectangle_along(const std::vector<Vec2d>& hull, const Vec2d& axis) {
-    Rectangle r{axis, Vec2d(std::numeric_limits<double>::max()),
-                Vec2d(-std::numeric_limits<double>::max())};
-    for (const Vec2d& p : hull) {
-        const Vec2d q(glm::dot(p, axis), cross(axis, p));
-        r.low = glm::min(r.low, q);
-        r.high = glm::max(r.high, q);
-    }
-    return r;
-}
-
-Rectangle least_rectangle(const std::vector<Vec2d>& hull) {
-    Rectangle best;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        const Vec2d edge = hull[(i + 1) % hull.size()] - hull[i];
-        const double length = glm::length(edge);
-        if (!(length > 0.0)) continue;
-        const Rectangle r = rectangle_along(hull, edge / length);
-        if (r.area() < least) {
-            least = r.area();
-            best = r;
-        }
-    }
-    return best;
-}
 
 Vec3d doubled_area(const Patch& patch, std::size_t t) {
     const Triangle& v = patch.triangles[t];
@@ -102,7 +50,7 @@ std::optional<PlanarMap> map_planar(const Patch& patch) {
     std::vector<Vec2d> flat;
     for (const Vec3d& p : patch.points)
         flat.emplace_back(glm::dot(p - patch.points[0], a), glm::dot(p - patch.points[0], b));
-    const Rectangle r = least_rectangle(convex_hull(flat));
+    const TurnedRectangle r = least_rectangle(convex_hull(flat));
     const double area = area_of(patch);
     const Vec2d size = r.high - r.low;
     if (!(size.x > 0.0) || !(size.y > 0.0) || area > r.area() * (1.0 + 1e-6)) return std::nullopt;

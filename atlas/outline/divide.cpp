@@ -8,8 +8,8 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "atlas/chart/least_rectangle.h"
 #include "atlas/chart/planar_map.h"
-#include "atlas/outline/least_box.h"
 #include "atlas/outline/unfold.h"
 #include "atlas/patch/cut.h"
 
@@ -169,7 +169,7 @@ class Division {
 
     std::optional<FlatChart> unless_too_long(FlatChart chart) const {
         if (chart.faces.size() > few_triangles &&
-            least_box(hull_of(chart.outline)).longer > longest_chart * std::sqrt(area_))
+            least_rectangle(convex_hull(chart.outline)).longer() > longest_chart * std::sqrt(area_))
             return std::nullopt;
         return chart;
     }

@@ -8,10 +8,10 @@
 #include <unordered_map>
 #include <utility>
 
+#include "atlas/chart/least_rectangle.h"
 #include "atlas/mesh/copies.h"
 #include "atlas/mesh/unit_frame.h"
 #include "atlas/outline/divide.h"
-#include "atlas/outline/least_box.h"
 #include "atlas/outline/pack.h"
 
 namespace burl {
@@ -19,7 +19,9 @@ namespace {
 
 /// Turns the chart so that the box round it has the least area, with its longer side along x.
 void straighten(FlatChart& chart) {
-    const Vec2d along = least_box(hull_of(chart.outline)).along;
+    const TurnedRectangle box = least_rectangle(convex_hull(chart.outline));
+    const Vec2d u = box.axis;
+    const Vec2d along = box.size().x >= box.size().y ? u : Vec2d(-u.y, u.x);
     const auto turn = [&](Vec2d& p) { p = {glm::dot(p, along), cross(along, p)}; };
     std::ranges::for_each(chart.places, turn);
     std::ranges::for_each(chart.outline, turn);

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "atlas/outline/least_box.h"
+#include "atlas/chart/least_rectangle.h"
 
 namespace burl {
 namespace {
@@ -72,7 +72,7 @@ class Net {
             area_ += own;
             piece_of_.push_back(t);
             pieces_[t] = {{t}, {at_[t].begin(), at_[t].end()}, {}};
-            pieces_[t].box = least_box(pieces_[t].hull);
+            pieces_[t].box = least_rectangle(pieces_[t].hull);
         }
         tolerance_ = slack * std::sqrt(area_);
         for (std::uint32_t t = 0; t < faces.size(); ++t)
@@ -123,7 +123,7 @@ class Net {
     struct Piece {
         std::vector<std::uint32_t> triangles;
         std::vector<Vec2d> hull;
-        LeastBox box;  ///< least box round it
+        TurnedRectangle box;  ///< least box round it
     };
 
     Vec3d point(std::uint32_t edge) const {
@@ -188,11 +188,12 @@ class Net {
         if (overlap(to, moved)) return;
         std::vector<Vec2d> hull = to.hull;
         for (const Vec2d& p : from.hull) hull.push_back(motion(p));
-        hull = hull_of(std::move(hull));
-        const LeastBox box = least_box(hull);
+        hull = convex_hull(std::move(hull));
+        const TurnedRectangle box = least_rectangle(hull);
         const bool flat = joint.sharpness == 0;
-        if (box.longer > (flat ? options_.longest_flat : options_.longest) ||
-            (!flat && box.area > most_growth[joint.sharpness] * (to.box.area + from.box.area)))
+        if (box.longer() > (flat ? options_.longest_flat : options_.longest) ||
+            (!flat &&
+             box.area() > most_growth[joint.sharpness] * (to.box.area() + from.box.area())))
             return;
         for (std::size_t i = 0; i < moved.size(); ++i) {
             at_[from.triangles[i]] = moved[i];

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "atlas/outline/least_box.h"
+#include "atlas/chart/least_rectangle.h"
 #include "tests/atlas/support/made_patches.h"
 
 namespace burl {
@@ -78,7 +78,7 @@ TEST(Unfold, BoxesAreNetsThatFillTheirRectangles) {
     expect_exact(box, *charts);
     EXPECT_LE(charts->size(), 3u);
     for (const FlatChart& chart : *charts)
-        EXPECT_NEAR(least_box(hull_of(chart.outline)).area, chart.area, 1e-6);
+        EXPECT_NEAR(least_rectangle(convex_hull(chart.outline)).area(), chart.area, 1e-6);
 }
 
 TEST(Unfold, PiecesBecomeNoLongerThanAllowed) {
@@ -90,7 +90,8 @@ TEST(Unfold, PiecesBecomeNoLongerThanAllowed) {
         expect_exact(box, *charts);
         found.push_back(0.0);
         for (const FlatChart& chart : *charts)
-            found.back() = std::max(found.back(), least_box(hull_of(chart.outline)).longer);
+            found.back() =
+                std::max(found.back(), least_rectangle(convex_hull(chart.outline)).longer());
         EXPECT_LE(found.back(), std::max(most, 3.0) + 1e-9) << "a side is never divided";
     }
     EXPECT_NEAR(found[0], 3.0, 1e-9);
@@ -108,7 +109,7 @@ TEST(Unfold, CylindersAreARectangleAndTwoDisks) {
     for (const FlatChart& chart : *charts) {
         if (chart.faces.size() != 64) continue;
         ++rectangles;
-        EXPECT_NEAR(least_box(hull_of(chart.outline)).area, 32.0 * side * 3.0, 1e-6);
+        EXPECT_NEAR(least_rectangle(convex_hull(chart.outline)).area(), 32.0 * side * 3.0, 1e-6);
     }
     EXPECT_EQ(rectangles, 1);
 }
@@ -133,16 +134,17 @@ TEST(Unfold, TrianglesWithoutAreaAreLeftToOthers) {
     EXPECT_FALSE(unfolded(mesh, 100));
 }
 
-TEST(LeastBox, TurnedRectanglesAreFound) {
+TEST(LeastRectangle, TurnedRectanglesAreFound) {
     for (const double angle : {0.0, 0.3, 1.2, 2.9}) {
         const Vec2d u(std::cos(angle), std::sin(angle)), v(-u.y, u.x);
         std::vector<Vec2d> points;
         for (int i = 0; i <= 6; ++i)
             for (int j = 0; j <= 4; ++j)
                 points.push_back(double(i) * 0.5 * u + double(j) * 0.25 * v);
-        const LeastBox box = least_box(hull_of(points));
-        EXPECT_NEAR(box.area, 3.0, 1e-9);
-        EXPECT_NEAR(std::abs(glm::dot(box.along, u)), 1.0, 1e-9);
+        const TurnedRectangle box = least_rectangle(convex_hull(points));
+        EXPECT_NEAR(box.area(), 3.0, 1e-9);
+        EXPECT_NEAR(box.longer(), 3.0, 1e-9);
+        EXPECT_NEAR(box.perimeter(), 8.0, 1e-9);
     }
 }
 
