@@ -27,8 +27,9 @@ Vec4f moments_of(const RgbF& normal, float roughness) {
 /// `lack` is 1 - r^2. Twice Toksvig's variance (1 - r) / r is added to alpha^2.
 float widened(float mean, double r, double lack) {
     if (lack <= 0.0) return mean;
-    const double squared = std::pow(double(mean), 4.0), variance = lack / (r * (1.0 + r));
-    return float(std::min(std::pow(squared + 2.0 * variance, 0.25), 1.0));
+    const double alpha = double(mean) * mean, squared = alpha * alpha;
+    const double variance = lack / (r * (1.0 + r));
+    return float(std::min(std::sqrt(std::sqrt(squared + 2.0 * variance)), 1.0));
 }
 
 NormalLevel level_of(const Image<Vec4f>& moments) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "atlas/base/elementary.h"
 #include "atlas/chart/chord_split.h"
 #include "atlas/chart/laplacian.h"
 #include "atlas/chart/stretch.h"
@@ -147,7 +148,7 @@ class CornerSearch {
                 if (inner[v[k]]) continue;
                 const Vec3d a = patch_.points[v[(k + 1) % 3]] - patch_.points[v[k]];
                 const Vec3d b = patch_.points[v[(k + 2) % 3]] - patch_.points[v[k]];
-                angle[v[k]] += std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+                angle[v[k]] += angle_of(glm::length(glm::cross(a, b)), glm::dot(a, b));
             }
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t i = 0; i < loop.size(); ++i)

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "atlas/base/elementary.h"
 #include "atlas/chart/coarse_map.h"
 #include "atlas/chart/laplacian.h"
 #include "atlas/chart/last_steps.h"
@@ -189,7 +190,7 @@ std::optional<Field> onto_circle(const Patch& patch, const WeightedEdges& edges)
     double at = 0.0;
     for (const HalfEdge h : loop) {
         const std::uint32_t v = patch.start(h);
-        fields[0][v] = radius * Vec2d(std::cos(turn * at), std::sin(turn * at));
+        fields[0][v] = radius * Vec2d(cosine(turn * at), sine(turn * at));
         is_free[v] = false;
         at += glm::distance(patch.points[v], patch.points[patch.end(h)]);
     }

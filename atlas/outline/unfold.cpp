@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "atlas/base/elementary.h"
 #include "atlas/chart/least_rectangle.h"
 
 namespace burl {
@@ -159,8 +160,9 @@ class Net {
         other_[edge] = o;
         other_[o] = edge;
         const double cosine = std::clamp(glm::dot(normal(edge / 3), normal(n)), -1.0, 1.0);
-        const std::size_t sharpness = std::size_t(
-            std::ranges::count_if(class_ends, [&](double end) { return std::acos(cosine) > end; }));
+        const double angle = angle_of(std::sqrt((1.0 - cosine) * (1.0 + cosine)), cosine);
+        const std::size_t sharpness =
+            std::size_t(std::ranges::count_if(class_ends, [&](double end) { return angle > end; }));
         joints_.push_back({edge, o, sharpness, glm::distance(point(edge), point(next(edge)))});
     }
 

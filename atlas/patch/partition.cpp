@@ -9,6 +9,7 @@
 #include <numeric>
 #include <set>
 
+#include "atlas/base/elementary.h"
 #include "atlas/mesh/dual_graph.h"
 
 namespace burl {
@@ -200,7 +201,7 @@ Regions partition_mesh(const Mesh& mesh, const Connectivity& connectivity,
 
 Regions crease_regions(const Mesh& mesh, const Connectivity& connectivity, double degrees,
                        const PartitionOptions& options) {
-    const double least_cosine = std::cos(degrees * std::numbers::pi / 180.0);
+    const double least_cosine = cosine(degrees * std::numbers::pi / 180.0);
     // Flooding is finding the connected components of a mesh whose creases are no connections.
     Connectivity smooth = connectivity;
     for (std::uint32_t t = 0; t < smooth.neighbours.size(); ++t)

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "atlas/base/elementary.h"
+
 namespace burl {
 namespace {
 
@@ -96,8 +98,8 @@ class TreeBuilder {
 
     void add_costs(PatchNode& node) const {
         const PatchNode &first = nodes_[node.first], &second = nodes_[node.second];
-        const double log_first = std::log2(first.texels / node.texels);
-        const double log_second = std::log2(second.texels / node.texels);
+        const double log_first = binary_log(first.texels / node.texels);
+        const double log_second = binary_log(second.texels / node.texels);
         for (std::size_t i = 0; i < node.costs.size(); ++i) {
             const double a = log_aspect_at(i);
             const double across = at_log_aspect(first.costs, a + log_first) +
@@ -119,7 +121,7 @@ double PatchNode::estimate(double width, double height) const {
     // Gutters take a share of a side, so their texels grow with the root of the area.
     const double area = width * height / texels;
     const double inside = area * texels - std::sqrt(area) * (texels - inner);
-    const double log_aspect = std::log2(width / height);
+    const double log_aspect = binary_log(width / height);
     return at_log_aspect(costs, log_aspect) * (1.0 + per_octave * log_aspect * log_aspect) * inner /
            std::max(inside, least_inside * inner);
 }
@@ -138,7 +140,7 @@ std::vector<PatchNode> patch_leaves(std::span<const PatchDemand> patches,
         result[p].inner = steps(side) * steps(side);
         result[p].patch = static_cast<std::int32_t>(p);
         for (std::size_t i = 0; i < result[p].costs.size(); ++i) {
-            const double root = std::exp2(0.5 * log_aspect_at(i));
+            const double root = binary_power(0.5 * log_aspect_at(i));
             const double w = steps(side * root), h = steps(side / root);
             const Stretch& s = patches[p].stretch;
             result[p].costs[i] =

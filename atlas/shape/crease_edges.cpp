@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "atlas/base/each_index.h"
+#include "atlas/base/elementary.h"
 
 namespace burl {
 
@@ -45,7 +46,7 @@ bool is_crease(const ShapeScene& shape, std::span<const FaceEdge> faces, double 
 
 std::vector<Segment> crease_segments(const ShapeScene& shape, double angle) {
     const std::vector<FaceEdge> edges = sorted_edges(shape.triangles());
-    const double least_cosine = std::cos(angle);
+    const double least_cosine = cosine(angle);
     std::vector<Segment> segments;
     for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
         while (end < edges.size() && edges[end].same_points(edges[i])) ++end;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "atlas/base/each_index.h"
+#include "atlas/base/elementary.h"
 #include "atlas/shape/open_share.h"
 
 namespace burl {
@@ -33,7 +34,7 @@ class SunDisc {
   public:
     explicit SunDisc(const SunOptions& options)
         : axis_(options.direction),
-          depth_(1.0 - std::cos(options.angle)),
+          depth_(1.0 - cosine(options.angle)),
           spiral_(depth_ > 0.0 ? sun_rays : 1) {}
 
     /// The directions at a place, in the frame that they come with.

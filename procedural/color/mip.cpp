@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atlas/base/elementary.h"
 #include "procedural/color/map_filter.h"
 #include "procedural/color/table.h"
-#include "procedural/numbers/elementary.h"
 
 namespace burl {
 

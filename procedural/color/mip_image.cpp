@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "atlas/base/elementary.h"
 #include "procedural/color/srgb.h"
-#include "procedural/numbers/elementary.h"
 
 namespace burl {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atlas/base/elementary.h"
 #include "procedural/noise/cell_features.h"
-#include "procedural/numbers/elementary.h"
 
 namespace burl {
 

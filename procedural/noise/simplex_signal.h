@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "atlas/base/elementary.h"
 #include "procedural/noise/simplex_noise.h"
-#include "procedural/numbers/elementary.h"
 
 namespace burl {
 

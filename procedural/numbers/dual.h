@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atlas/base/elementary.h"
 #include "atlas/base/vec.h"
-#include "procedural/numbers/elementary.h"
 
 namespace burl {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Arithmetic for functions that are written once for plain numbers and for numbers with gradients:
 // a function template of type T, double or Dual, takes what it needs from here. Elementary
-// functions have the same bits everywhere (numbers/elementary.h).
+// functions have the same bits everywhere (atlas/base/elementary.h).
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #pragma once
 // Rotations about the coordinate axes, for textures that lie askew in their solid.
-#include <cmath>
 #include <numbers>
 
+#include "atlas/base/elementary.h"
 #include "atlas/base/vec.h"
 
 namespace burl {
@@ -10,8 +10,7 @@ namespace burl {
 /// The rotation about axis 0, 1 or 2, counterclockwise seen against the axis: a quarter turn about
 /// the first axis takes the second to the third. The identity for 0 degrees.
 inline Mat3d rotation_about(int axis, double degrees) {
-    const double angle = degrees * std::numbers::pi / 180.0, c = std::cos(angle),
-                 s = std::sin(angle);
+    const double angle = degrees * std::numbers::pi / 180.0, c = cosine(angle), s = sine(angle);
     const int from = (axis + 1) % 3, to = (axis + 2) % 3;
     Mat3d m(1.0);
     m[from][from] = m[to][to] = c;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
-#include "procedural/numbers/elementary.h"
+#include "atlas/base/elementary.h"
 
 namespace burl {
 

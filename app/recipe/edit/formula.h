@@ -10,7 +10,7 @@ namespace burl {
 std::string formula_problem(const std::string& formula);
 
 /// The formula's value; not finite where it has none. The text must have no problem. Its bits are
-/// those of every machine: powers are those of procedural/numbers/elementary.h.
+/// those of every machine: powers are those of atlas/base/elementary.h.
 double formula_value(const std::string& formula, double x);
 
 }  // namespace burl

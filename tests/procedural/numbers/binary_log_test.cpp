@@ -1,5 +1,5 @@
 // The logarithm against the mathematical library's.
-#include "procedural/numbers/elementary.h"
+#include "atlas/base/elementary.h"
 
 #include <cmath>
 #include <limits>

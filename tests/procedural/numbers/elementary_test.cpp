@@ -1,5 +1,5 @@
 // Sine, angle and power of single numbers: the vectors' bits, and the C library's to 1e-13.
-#include "procedural/numbers/elementary.h"
+#include "atlas/base/elementary.h"
 
 #include <cmath>
 #include <numbers>
