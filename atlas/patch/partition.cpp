@@ -201,7 +201,8 @@ Regions partition_mesh(const Mesh& mesh, const Connectivity& connectivity,
 
 Regions crease_regions(const Mesh& mesh, const Connectivity& connectivity, double degrees,
                        const PartitionOptions& options) {
-    const double least_cosine = cosine(degrees * std::numbers::pi / 180.0);
+    const double half = sine(degrees * std::numbers::pi / 360.0);
+    const double least_cosine = 1.0 - 2.0 * half * half;
     // Flooding is finding the connected components of a mesh whose creases are no connections.
     Connectivity smooth = connectivity;
     for (std::uint32_t t = 0; t < smooth.neighbours.size(); ++t)

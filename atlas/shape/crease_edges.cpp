@@ -46,7 +46,7 @@ bool is_crease(const ShapeScene& shape, std::span<const FaceEdge> faces, double 
 
 std::vector<Segment> crease_segments(const ShapeScene& shape, double angle) {
     const std::vector<FaceEdge> edges = sorted_edges(shape.triangles());
-    const double least_cosine = cosine(angle);
+    const double half = sine(0.5 * angle), least_cosine = 1.0 - 2.0 * half * half;
     std::vector<Segment> segments;
     for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
         while (end < edges.size() && edges[end].same_points(edges[i])) ++end;

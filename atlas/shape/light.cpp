@@ -34,7 +34,7 @@ class SunDisc {
   public:
     explicit SunDisc(const SunOptions& options)
         : axis_(options.direction),
-          depth_(1.0 - cosine(options.angle)),
+          depth_(2.0 * sine(0.5 * options.angle) * sine(0.5 * options.angle)),
           spiral_(depth_ > 0.0 ? sun_rays : 1) {}
 
     /// The directions at a place, in the frame that they come with.
