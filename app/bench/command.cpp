@@ -46,6 +46,7 @@ constexpr std::array suites{
     Suite{"open", "--json --simd", "faces", 12, 10'000'000, "1,000,000"},
     Suite{"precision", "--repeats --json --simd", "texels a side", 8, 4096, "512"},
     Suite{"resynthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},
+    Suite{"rivals", "--repeats --json --simd", "texels a side", 32, batch_capacity, "512"},
     Suite{"stability", "--json --simd --thorough --case"},
     Suite{"synthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},
     Suite{"uv", "--json", "texels a side", 16, 4096, "512"},

@@ -66,6 +66,7 @@ void run_mesh_io_bench(const BenchCommand& command);
 void run_noise_bench(const BenchCommand& command);
 void run_precision_bench(const BenchCommand& command);
 void run_resynthesis_bench(const BenchCommand& command);
+void run_rivals_bench(const BenchCommand& command);
 void run_synthesis_bench(const BenchCommand& command);
 void run_uv_bench(const BenchCommand& command);
 // Defined in app/bench/gl.

@@ -10,6 +10,7 @@
 
 #include "app/base/messages.h"
 #include "app/direct/forward_cube.h"
+#include "app/direct/pass_figure.h"
 #include "app/direct/picture.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
@@ -138,6 +139,46 @@ std::string floor_part(std::string_view antialiasing) {
         antialiasing);
 }
 
+std::vector<std::string> sphere_parts() {
+    const std::string_view ball =
+        "sample:icosphere --view 30,20,3.3 --size 240x240 --unlit --supersample 2 --recipe noise";
+    const auto share = [](std::string_view axis) {
+        return fmt::format(R"({{"node":"coordinate","direction":[{}],"offset":0.5}})", axis);
+    };
+    return {fmt::format(R"({} --set 'texture={{"node":"combine","red":{},"green":{},"blue":{}}}')",
+                        ball, share("0.5,0,0"), share("0,0.5,0"), share("0,0,0.5")),
+            fmt::format("{} --set texture.input.noise.0.kind=value --set "
+                        "texture.input.noise.0.fade=linear --set solid.scale=8 --set "
+                        "texture.input.noise.0.range=unit --set texture.input.noise.0.amplitude=1 "
+                        "--set texture.input.quadric.J=0",
+                        ball)};
+}
+
+/// Few gates: half of the octaves, interpolated linearly, in numbers of 8.8 bits, and the colour
+/// table filtered in the resolution nearest to the footprint.
+Figure gates_figure() {
+    const std::string_view cheap =
+        "--precision fixed:8.8 --filter table-mip --set texture.input.noise.0.fade=linear --set "
+        "texture.input.noise.0.octaves={} --size 240x180 --supersample 1";
+    const auto part = [&](std::string_view scene, int octaves) {
+        return fmt::format("{} {}", scene, fmt::format(fmt::runtime(cheap), octaves));
+    };
+    return {"hundred-thousand-gates",
+            "Hart et al. 1999, figure 11: figures 1 to 6 with cheap arithmetic",
+            3,
+            {part("sample:teapot --recipe wood --set solid.scale=9 --light headlight --view "
+                  "25,24,2.6",
+                  1),
+             part("sample:teapot --recipe marble --light headlight --view 25,24,2.6", 2),
+             part("--plane 0,1,0,1 --recipe clouds --view 0,-12,3.5 --unlit", 2),
+             part("--plane 0,1,0,0 --recipe fire --set "
+                  "texture.input.noise.0.frequency=[2.5,0,1.2] --set texture.input.quadric.I=0.25 "
+                  "--set texture.input.quadric.J=0.15 --view 0,-90,2.6 --unlit",
+                  2),
+             part("sample:icosphere --recipe planet --light headlight --view 180,20,3.6", 4),
+             part("sample:icosphere --recipe moon --view 0,-7,3.6 --unlit", 4)}};
+}
+
 std::vector<Figure> paper_1999() {
     const std::string_view teapot =
         "--light headlight --view 25,24,2.6 --size 480x360 --supersample 3";
@@ -189,6 +230,12 @@ std::vector<Figure> paper_1999() {
 
 std::vector<Figure> figures() {
     std::vector<Figure> all = paper_1999();
+    all.push_back(gates_figure());
+    all.push_back({"noise-passes",
+                   "Hart 2001, figures 4 and 6 to 9: what the passes of multipass noise hold", 4,
+                   pass_parts()});
+    all.push_back({"noise-sphere", "Hart 2001, figure 13: noise on a sphere of solid coordinates",
+                   2, sphere_parts()});
     all.push_back(noise_figure());
     all.push_back(sums_figure());
     all.push_back({"checkers",

@@ -36,6 +36,7 @@ constexpr std::array suite_runs{
     SuiteRun{"open", run_open_bench},
     SuiteRun{"precision", run_precision_bench},
     SuiteRun{"resynthesis", run_resynthesis_bench},
+    SuiteRun{"rivals", run_rivals_bench},
     SuiteRun{"stability", run_stability_bench},
     SuiteRun{"synthesis", run_synthesis_bench},
     SuiteRun{"uv", run_uv_bench},
@@ -57,7 +58,7 @@ void add_bench(CLI::App& program) {
     verb->add_option(
             "suite", command->suite,
             "mesh_io, atlas, synthesis, resynthesis, levels, economy, filter, noise, forward, "
-            "gl, kernels, open, precision, stability, editor or uv")
+            "gl, kernels, open, precision, rivals, stability, editor or uv")
         ->required()
         ->check(one_of(bench_suite_names()));
     verb->add_option("file", command->file,

@@ -10,6 +10,7 @@
 
 #include "app/pipeline/material.h"
 #include "atlas/base/error.h"
+#include "procedural/color/filtered_colors.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fixed/field.h"
 #include "procedural/graph/evaluator.h"
@@ -85,6 +86,20 @@ FilteredNumber opacity_at(const Recipe& recipe, FilterKind kind) {
     };
 }
 
+/// The 1999 model in fixed point with its colour map filtered, as the paper's simulator had both.
+/// The slopes that decide about the filter's width are differences of f over the footprint's two
+/// sides, in the same fixed point; a slope below 2^-F is therefore 0. The colour table has the
+/// map's own precision.
+FilteredColor fixed_and_filtered(const Texture& texture, const FixedFormat& format,
+                                 FilterKind kind) {
+    return [field = FixedField(texture, format), colors = FilteredColors(texture.colors, kind)](
+               const Vec3d& s, const Footprint& footprint) {
+        const double f = field(s);
+        const double slope_u = field(s + footprint.u) - f, slope_v = field(s + footprint.v) - f;
+        return Vec4d(colors(f, slope_u, slope_v), 1.0);
+    };
+}
+
 /// The colour without its alpha from `cutoff` on, and nothing below.
 Vec4d masked(const Vec4d& color, double cutoff) {
     if (color.w < cutoff) return Vec4d(0.0);
@@ -107,9 +122,13 @@ FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
             return Vec4d(color(s), 1.0);
         };
     }
-    if (kind != FilterKind::none && recipe.precision.kind == PrecisionKind::fixed)
-        throw Error(ExitCode::usage,
-                    "fixed point has no gradients to filter by; draw it with --filter none");
+    if (kind != FilterKind::none && recipe.precision.kind == PrecisionKind::fixed) {
+        const Texture* texture = plain_texture(recipe.texture);
+        if (!texture)
+            throw Error(ExitCode::usage,
+                        "fixed point has a color_map over a field alone; draw it in float64");
+        return fixed_and_filtered(*texture, recipe.precision.format, kind);
+    }
     const Filter filter{kind, recipe.filter.samples, recipe.filter.band_limit};
     const auto graph = std::make_shared<GraphSampler>(recipe.texture, filter);
     const bool filtered = kind != FilterKind::none;

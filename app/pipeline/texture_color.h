@@ -20,8 +20,9 @@ void check_points(const TextureGraph& graph, const std::string& path);
 using FilteredColor = std::function<Vec4d(const Vec3d& s, const Footprint& footprint)>;
 
 /// The texture filtered by `kind`, which must not be `supersample`. With `none` footprints are
-/// ignored, and the 1999 model is evaluated in the recipe's precision, else float64. Throws
-/// Error(usage) for a filter of a recipe in fixed point.
+/// ignored, and the 1999 model is evaluated in the recipe's precision, else float64. A filter of a
+/// recipe in fixed point takes differences of f over the footprint for its slopes. Throws
+/// Error(usage) for a graph in fixed point.
 FilteredColor filtered_color(const Recipe& recipe, FilterKind kind);
 
 /// The colour that pictures show: that of filtered_color() times the recipe's opacity, and what

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Makes all pictures of README.md, docs/guide/ and docs/lab/grazing.md anew, by Burl itself; those of materials are Blender's (materials.sh).
+# Makes all pictures of README.md, docs/guide/ and docs/lab/ anew, by Burl itself; those of materials are Blender's (materials.sh).
 #   docs/images/make.sh build/release/bin            all of them
-#   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials serpentine page grazing blender
-# Debian's packages netpbm (atlases, bumps, grazing), webp (tour, materials, page, grazing, blender), blender (materials, blender), nodejs
+#   docs/images/make.sh build/release/bin PART...    some: teapot atlases solid bumps turntable sheet editor tour figures materials serpentine page grazing blender
+# Debian's packages netpbm (atlases, solid, bumps, grazing), webp (tour, materials, page, grazing, blender), blender (materials, blender), nodejs
 # and chromium (page, grazing) are needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -40,6 +40,35 @@ king carved-wood 90x180 30,15,3.5'
     local picture
     for picture in teapot torus king; do pngtopnm "$scratch/$picture.png" >"$scratch/$picture.ppm"; done
     pnmcat -lr "$scratch"/{teapot,torus,king,normals}.ppm | pnmtopng -compression 9 >"$here/bumps.png"
+}
+
+solid() { # docs/lab/reproduction.md: figures 1, 3 and 6 of "Real-Time Procedural Solid Texturing"
+    local axis red green blue kind
+    for axis in 0.5,0,0 0,0.5,0 0,0,0.5; do
+        red=${green:-} green=${blue:-} blue="{\"node\":\"coordinate\",\"direction\":[$axis],\"offset\":0.5}"
+    done
+    local points="texture={\"node\":\"combine\",\"red\":$red,\"green\":$green,\"blue\":$blue}" view=(--unlit --supersample 3)
+    "$burl" render --direct sample:teapot --recipe noise --set "$points" "${view[@]}" --view 25,24,2.6 --size 256x192 -o "$scratch/1a.png"
+    "$burl" bake sample:teapot -o "$scratch/1b.png" --atlas uniform --recipe noise --set "$points" --size 192 --quiet
+    "$burl" bake sample:teapot -o "$scratch/1c.png" --atlas uniform --recipe wood --set solid.scale=9 --size 192 --quiet
+    "$burl" bake sample:teapot -o "$scratch/teapot.glb" --atlas uniform --recipe wood --set solid.scale=9 --size 1024 --quiet
+    "$burl" render "$scratch/teapot.glb" "${view[@]}" --view 25,24,2.6 --size 256x192 -o "$scratch/1d.png"
+    "$burl" bake sample:icosphere -o "$scratch/3b.png" --atlas uniform --recipe clouds --size 192 --quiet
+    "$burl" bake sample:icosphere -o "$scratch/moon.glb" --atlas uniform --recipe clouds --size 512 --quiet
+    "$burl" render "$scratch/moon.glb" "${view[@]}" --view 30,20,3.3 --size 256x192 -o "$scratch/3a.png"
+    for kind in uniform area length; do
+        "$burl" bake sample:king -o "$scratch/king.glb" --atlas $kind --overscan nearest --recipe stripes --set solid.scale=30 --size 256 --quiet
+        "$burl" render "$scratch/king.glb" --unlit --view 35,10,3.3 --size 200x576 --supersample 2 -o "$scratch/6.png"
+        pngtopnm "$scratch/6.png" >"$scratch/6$kind.ppm"
+    done
+    local picture
+    for picture in 1a 1b 1c 1d 3a 3b; do pngtopnm "$scratch/$picture.png" >"$scratch/$picture.ppm"; done
+    pnmcat -lr "$scratch"/{1a,1b}.ppm >"$scratch/1.ppm"
+    pnmcat -lr "$scratch"/{1d,1c}.ppm >"$scratch/2.ppm"
+    pnmcat -lr "$scratch"/{3a,3b}.ppm >"$scratch/3.ppm"
+    pnmcat -tb -white "$scratch"/{1,2,3}.ppm >"$scratch/left.ppm"
+    pnmcat -lr "$scratch"/6{uniform,area,length}.ppm >"$scratch/right.ppm"
+    pnmcat -lr -white "$scratch"/{left,right}.ppm | pnmquant -quiet 256 | pnmtopng -compression 9 >"$here/solid-2001.png"
 }
 
 turntable() { # docs/guide/pictures.md
@@ -109,7 +138,7 @@ blender() { # docs/guide/blender.md
     cwebp -quiet -q 88 "$scratch/nodes.png" -o "$here/blender-nodes.webp"
 }
 
-parts=(teapot atlases bumps turntable sheet editor tour figures materials serpentine page grazing blender)
+parts=(teapot atlases solid bumps turntable sheet editor tour figures materials serpentine page grazing blender)
 for part in "${@:-${parts[@]}}"; do
     [[ " ${parts[*]} " == *" $part "* ]] || { echo "$part is no picture: name some of ${parts[*]}" >&2; exit 1; }
     echo "$part"

@@ -12,6 +12,7 @@
 #include "app/image/palette.h"
 #include "app/scene/shading.h"
 #include "atlas/base/error.h"
+#include "procedural/color/srgb.h"
 #include "tests/app/programs/run_program.h"
 #include "tests/paths.h"
 
@@ -164,6 +165,24 @@ TEST(FigureNoise, SlopesHaveNoMeanAndStandStillInTheirPlane) {
     EXPECT_EQ(corner(0), 128);
     EXPECT_EQ(corner(2), 128);
     EXPECT_NE(corner(3), 128);
+}
+
+TEST(FigurePasses, WeightedCornersAddUpToTheNoise) {
+    const std::vector<std::string> parts = find_figure("noise-passes").parts;
+    ASSERT_EQ(parts.size(), 16u);
+    const auto light = [](const Image<Rgb8>& picture, std::size_t x, std::size_t y) {
+        return srgb_decode(double(picture(x, y).g) / 255.0);
+    };
+    std::vector<Image<Rgb8>> corners;
+    for (std::size_t i = 12; i < 16; ++i) corners.push_back(draw_part(parts[i]));
+    const Image<Rgb8> noise = draw_part(parts[7]);
+    for (std::size_t y = 0; y < noise.height(); ++y)
+        for (std::size_t x = 0; x < noise.width(); ++x) {
+            double sum = 0.0;
+            for (const Image<Rgb8>& corner : corners) sum += light(corner, x, y);
+            ASSERT_NEAR(sum, light(noise, x, y), 0.015) << x << ' ' << y;
+        }
+    EXPECT_GT(variance(noise, 0, 0, noise.width(), noise.height()), 500.0);
 }
 
 TEST(FigureSea, HorizonIsWhereTheViewPutsIt) {

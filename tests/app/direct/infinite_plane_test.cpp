@@ -251,7 +251,8 @@ TEST(PlaneProgram, SaysWhatIsWrong) {
     EXPECT_EQ(code("--direct --plane cloud:0,1,0,2"), 1);
     EXPECT_EQ(code("--direct --plane 0,1,0,2 --filter linear"), 1);
     EXPECT_EQ(code("--direct --plane 0,1,0,2 --filter supersample:4"), 1);
-    EXPECT_EQ(code("--direct --plane 0,1,0,2 --precision fixed:8.8"), 1);
+    EXPECT_EQ(code("--direct --plane 0,1,0,2 -r checks --precision fixed:8.8"), 1);
+    EXPECT_EQ(code("--direct --plane 0,1,0,2 --precision fixed:8.8 --size 9x9"), 0);
     EXPECT_EQ(code("--direct --plane 0,1,0,2 --precision fixed:8.8 --filter none --size 9x9"), 0);
     EXPECT_EQ(code("sample:teapot --filter trapezoid"), 1);
     EXPECT_EQ(code("--direct sample:kettle"), 1);

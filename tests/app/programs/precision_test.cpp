@@ -73,6 +73,10 @@ TEST(Precision, DecidesWhatAPictureOfTheExactTextureShows) {
     EXPECT_EQ(render("--precision float64"), usual);
     EXPECT_NE(render("--precision fixed:8.4"), usual);
     EXPECT_FALSE(render("--precision float32").empty());
+    EXPECT_NE(render("--precision fixed:8.12 --filter table-sat"),
+              render("--precision fixed:8.12"));
+    EXPECT_NE(render("--precision fixed:8.4 --filter table-mip"),
+              render("--precision fixed:8.12 --filter table-mip"));
     EXPECT_EQ(render("-r dots --precision float32"), render("-r dots"));
     EXPECT_FALSE(render("-r wrinkled --precision float32").empty());
 }

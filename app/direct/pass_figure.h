@@ -1,0 +1,15 @@
+#pragma once
+// What the passes of multipass noise hold ("Perlin Noise Pixel Shaders", figures 4 and 6 to 9), as
+// textures that are graphs.
+#include <string>
+#include <vector>
+
+namespace burl {
+
+/// Arguments of `burl render --direct` for 16 squares in rows of four, over 16 x 16 cells of the
+/// plane r = 0 with s to the right and t upwards: solid coordinates, their whole and their
+/// fractional part, numbers by s; numbers by t, their mean, numbers by both, the noise; the
+/// numbers of the four corners; these times their weights, which add up to the noise.
+std::vector<std::string> pass_parts();
+
+}  // namespace burl
