@@ -21,6 +21,7 @@
 #include "app/recipe/spelling.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/base/named_files.h"
 
 namespace burl {
 
@@ -69,6 +70,19 @@ class EntryLines {
     std::vector<std::size_t> lines_;
 };
 
+/// The folder that a manifest's paths start at, and where they may lead.
+struct PathRule {
+    fs::path folder{};
+    NamedFiles named = NamedFiles::anywhere;
+
+    /// The path from the folder on. Throws Error(invalid_file) for one that may not be.
+    std::string operator()(const std::string& path) const {
+        if (named == NamedFiles::below && !lies_below((folder / "").string(), path))
+            throw Error(ExitCode::invalid_file, fmt::format("{} {}", path, outside_rule));
+        return (folder / path).string();
+    }
+};
+
 /// Whether the value of `key` is a path, not a preset or a sample mesh.
 bool names_file(const std::string& key, const std::string& value) {
     if (key == "mesh") return !is_sample_mesh(value);
@@ -82,13 +96,15 @@ Error wrong_value(const std::string& key) {
                  fmt::format("'{}' must be a text, a number, true, false or a list of these", key));
 }
 
-/// The value as text of the command line; a relative path starts at `folder`. Throws
-/// Error(invalid_file) if the value is no text or number.
-std::string text_of(const std::string& key, const Json& value, const fs::path& folder) {
+/// The value as text of the command line, with paths by the rule. Throws Error(invalid_file) if the
+/// value is no text or number, or a path that may not be.
+std::string text_of(const std::string& key, const Json& value, const PathRule& rule) {
     if (value.is_number()) return value.dump();
     if (!value.is_string()) throw wrong_value(key);
     const auto text = value.get<std::string>();
-    return names_file(key, text) ? (folder / text).string() : text;
+    const std::size_t at = key == "assign" ? text.find('=') + 1 : 0;
+    const std::string path = text.substr(at);
+    return names_file(at > 0 ? "recipe" : key, path) ? text.substr(0, at) + rule(path) : text;
 }
 
 /// Throws Error(invalid_file) if `burl bake` has no option `key`.
@@ -105,19 +121,19 @@ void check_key(const CLI::App& options, const std::string& key) {
 }
 
 /// Adds the option `key` with its value, or one option for each element of a list.
-void add_argument(const std::string& key, const Json& value, const fs::path& folder,
+void add_argument(const std::string& key, const Json& value, const PathRule& rule,
                   std::vector<std::string>& arguments) {
     if (value.is_array()) {
         for (const Json& one : value) {
             if (one.is_structured() || one.is_null()) throw wrong_value(key);
-            add_argument(key, one, folder, arguments);
+            add_argument(key, one, rule, arguments);
         }
     } else if (value.is_boolean()) {
         if (value.get<bool>()) arguments.push_back("--" + key);
     } else if (key == "mesh") {
-        arguments.push_back(text_of(key, value, folder));
+        arguments.push_back(text_of(key, value, rule));
     } else {
-        arguments.push_back(fmt::format("--{}={}", key, text_of(key, value, folder)));
+        arguments.push_back(fmt::format("--{}={}", key, text_of(key, value, rule)));
     }
 }
 
@@ -134,14 +150,14 @@ MatrixKeys matrix_keys(const fs::path& folder) {
 }
 
 /// Parses the entry as arguments of `burl bake`. Throws Error(invalid_file) or CLI::ParseError.
-void parse_entry(const Json& entry, const fs::path& folder, BatchEntry& result) {
+void parse_entry(const Json& entry, const PathRule& rule, BatchEntry& result) {
     CLI::App options;
     options.set_help_flag();
     add_bake_options(options, result.command);
     std::vector<std::string> arguments;
     for (const auto& item : entry.items()) {
         check_key(options, item.key());
-        add_argument(item.key(), item.value(), folder, arguments);
+        add_argument(item.key(), item.value(), rule, arguments);
     }
     std::ranges::reverse(arguments);  // CLI11 takes arguments in reverse order
     options.parse(std::move(arguments));
@@ -180,13 +196,13 @@ Json with_defaults(const Json& defaults, const Json& entry) {
 }
 
 /// One bake with its place in the manifest; errors are stored in it.
-BatchEntry read_bake(const Json& bake, const fs::path& folder, const std::string& place) {
+BatchEntry read_bake(const Json& bake, const PathRule& rule, const std::string& place) {
     BatchEntry result;
     result.where = place;
     if (bake.contains("output") && bake["output"].is_string())
         result.where += fmt::format(" ({})", bake["output"].get<std::string>());
     try {
-        parse_entry(bake, folder, result);
+        parse_entry(bake, rule, result);
     } catch (const Error& error) {
         result.wrong = error.what();
     } catch (const CLI::ParseError& error) {
@@ -221,10 +237,10 @@ ManifestEntry manifest_entry(const Json& entry, const Json& defaults, const Matr
 }
 
 /// The bake number i of an entry.
-BatchEntry bake_of(const ManifestEntry& entry, std::size_t i, const fs::path& folder,
+BatchEntry bake_of(const ManifestEntry& entry, std::size_t i, const PathRule& rule,
                    const std::string& place) {
     try {
-        if (entry.bakes) return read_bake((*entry.bakes)[i], folder, place);
+        if (entry.bakes) return read_bake((*entry.bakes)[i], rule, place);
         return {place, {}, {}, entry.wrong};
     } catch (const Error& error) {
         return {place, {}, {}, error.what()};
@@ -235,7 +251,7 @@ BatchEntry bake_of(const ManifestEntry& entry, std::size_t i, const fs::path& fo
 constexpr std::size_t most_bakes = 100'000;
 
 /// The bakes of the entries that are in the shard. Throws Error(unsupported) for too many.
-std::vector<BatchEntry> bakes_of(const std::vector<ManifestEntry>& entries, const fs::path& folder,
+std::vector<BatchEntry> bakes_of(const std::vector<ManifestEntry>& entries, const PathRule& rule,
                                  const BatchShard& shard) {
     std::size_t count = 0;
     for (const ManifestEntry& entry : entries) count += entry.count();
@@ -251,7 +267,7 @@ std::vector<BatchEntry> bakes_of(const std::vector<ManifestEntry>& entries, cons
                           last = std::min(begin + entry.count(), shard.last(count));
         for (std::size_t i = first; i < last; ++i)
             bakes.push_back(
-                bake_of(entry, i - begin, folder, fmt::format("{}: bake {}", entry.where, i + 1)));
+                bake_of(entry, i - begin, rule, fmt::format("{}: bake {}", entry.where, i + 1)));
         begin += entry.count();
     }
     return bakes;
@@ -290,7 +306,8 @@ BatchShard batch_shard(const std::string& text) {
     return {part - 1, parts};
 }
 
-std::vector<BatchEntry> read_manifest(const std::string& path, const BatchShard& shard) {
+std::vector<BatchEntry> read_manifest(const std::string& path, const BatchShard& shard,
+                                      NamedFiles named) {
     const std::vector<std::uint8_t> bytes = path == "-" ? read_stdin() : read_file_bytes(path);
     const std::string text(bytes.begin(), bytes.end());
     const Json manifest = parse_json_text(text, path);
@@ -305,7 +322,7 @@ std::vector<BatchEntry> read_manifest(const std::string& path, const BatchShard&
         if (entry.is_structured()) line = entries.lines()[objects++];
         result.push_back(manifest_entry(entry, defaults, keys, fmt::format("{}:{}", path, line)));
     }
-    return bakes_of(result, keys.folder, shard);
+    return bakes_of(result, {keys.folder, named}, shard);
 }
 
 std::vector<BatchEntry> matrix_of_options(const std::vector<std::string>& meshes,
@@ -323,7 +340,7 @@ std::vector<BatchEntry> matrix_of_options(const std::vector<std::string>& meshes
         if (values.is_array() && values.size() == 1) values = Json(values[0]);
     std::vector<ManifestEntry> entries;
     entries.push_back(manifest_entry(entry, Json::object(), keys, "command line"));
-    return bakes_of(entries, keys.folder, shard);
+    return bakes_of(entries, {keys.folder}, shard);
 }
 
 }  // namespace burl

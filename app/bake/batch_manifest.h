@@ -44,8 +44,9 @@ BatchShard batch_shard(const std::string& text);
 /// Error(io), or Error(invalid_file) with "file:line: ..." for a manifest that is not an object
 /// with a list of entries.
 ///
-/// Only those of the shard are parsed.
-std::vector<BatchEntry> read_manifest(const std::string& path, const BatchShard& shard = {});
+/// Only those of the shard are parsed; their files may lie where `named` says.
+std::vector<BatchEntry> read_manifest(const std::string& path, const BatchShard& shard = {},
+                                      NamedFiles named = NamedFiles::below);
 
 /// The bakes of a matrix that a command line gives: meshes or patterns of them, and options as
 /// KEY=VALUE or KEY alone, of which several with one KEY are a list.

@@ -95,18 +95,6 @@ std::uint64_t bytes_held(const BakeJob& job) {
     return (std::uint64_t(40) << 20U) + shape + per_texel * texels;
 }
 
-std::uint64_t memory_size(const std::string& text) {
-    double number = 0.0;
-    const char* end = text.data() + text.size();
-    const auto [stop, failure] = std::from_chars(text.data(), end, number);
-    const std::string unit(stop, end);
-    const int shift = unit == "K" ? 10 : unit.empty() || unit == "M" ? 20 : unit == "G" ? 30 : 0;
-    if (failure != std::errc() || shift == 0 || !(number > 0.0 && number < 1e9))
-        throw Error(ExitCode::usage,
-                    fmt::format("--memory {}: must be a size such as 512M or 4G", text));
-    return std::uint64_t(number * double(std::uint64_t(1) << unsigned(shift)));
-}
-
 std::uint64_t default_budget() {
     return std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGE_SIZE)) / 2;
 }

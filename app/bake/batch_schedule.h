@@ -25,10 +25,6 @@ void run_jobs(std::span<const QueuedJob> jobs, int workers, std::uint64_t budget
 /// texels and the number of its pictures: docs/lab/batch.md compares it with what was measured.
 std::uint64_t bytes_held(const BakeJob& job);
 
-/// The bytes of a text such as "4G", "512M" or "65536K"; a number alone is megabytes. Throws
-/// Error(usage) for anything else.
-std::uint64_t memory_size(const std::string& text);
-
 /// Half of the machine's memory, the default budget.
 std::uint64_t default_budget();
 

@@ -78,8 +78,8 @@ std::pair<std::string, std::string> atlas_of(const BakeCommand& command,
 /// The atlases, in the order of their first primitives.
 std::vector<AtlasShares> atlases_of(const BakeCommand& command,
                                     const std::vector<Assignment>& assigned) {
-    const std::vector<GltfPrimitive> primitives =
-        chosen_gltf_primitives(read_file(command.mesh), command.meshes.read);
+    const std::vector<GltfPrimitive> primitives = chosen_gltf_primitives(
+        read_file(command.mesh, command.meshes.read.named), command.meshes.read);
     check_assignments(command, assigned, primitives);
     std::vector<AtlasShares> atlases;
     std::vector<std::string> keys;

@@ -50,9 +50,11 @@ Kernel kernel_named(const std::string& name) {
 
 /// The files of the mesh, the pose and the recipe.
 std::vector<std::string> files_read(const BakeCommand& command, const Recipe& recipe) {
-    std::vector<std::string> files = files_of_mesh(command.mesh);
+    std::vector<std::string> files =
+        files_of_mesh(command.mesh, MeshFiles::named, command.meshes.read.named);
     if (is_pose_file(command.pose))
-        std::ranges::move(files_of_mesh(command.pose), std::back_inserter(files));
+        std::ranges::move(files_of_mesh(command.pose, MeshFiles::named, command.meshes.read.named),
+                          std::back_inserter(files));
     std::ranges::move(files_of_recipe(command.recipe.recipe, recipe), std::back_inserter(files));
     return files;
 }

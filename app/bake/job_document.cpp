@@ -49,7 +49,7 @@ bool BakeJob::kept_document() const {
 /// The document that the bake goes back to; null where the output is a scene of its own.
 std::shared_ptr<KeptScene> BakeJob::kept_scene() const {
     if (!kept_document()) return nullptr;
-    std::shared_ptr<KeptScene> kept = burl::kept_scene(command_.mesh);
+    std::shared_ptr<KeptScene> kept = burl::kept_scene(command_.mesh, command_.meshes.read.named);
     kept->uv_set = command_.uv_set;
     kept->is_strict = command_.strict;
     return kept;

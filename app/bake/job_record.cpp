@@ -15,9 +15,11 @@
 namespace burl {
 
 Json BakeJob::what_it_is_made_from(const Json& settings) const {
-    std::vector<std::string> files = files_of_mesh(command_.mesh, MeshFiles::read);
+    std::vector<std::string> files =
+        files_of_mesh(command_.mesh, MeshFiles::read, command_.meshes.read.named);
     if (is_pose_file(command_.pose))
-        std::ranges::move(files_of_mesh(command_.pose, MeshFiles::read), std::back_inserter(files));
+        std::ranges::move(files_of_mesh(command_.pose, MeshFiles::read, command_.meshes.read.named),
+                          std::back_inserter(files));
     std::ranges::move(images_of_recipe(command_.recipe.recipe, recipe()),
                       std::back_inserter(files));
     for (std::size_t i = 1; i < shares_.size(); ++i)

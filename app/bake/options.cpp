@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/options/input_limits.h"
 #include "app/pipeline/mask_picture.h"
 #include "app/pipeline/material.h"
 #include "app/recipe/parameters.h"
@@ -172,9 +173,11 @@ void add_document(CLI::App& verb, BakeCommand& command) {
 /// Whether no output depends on the option, or it is part of the recipe, or names the mesh or the
 /// output.
 bool counts_elsewhere(const std::string& name) {
-    static constexpr std::array<std::string_view, 16> names = {
-        "help",    "mesh",    "output", "recipe", "set",  "filter", "precision", "time",
-        "threads", "no-skip", "cache",  "force",  "json", "report", "quiet",     "progress"};
+    static constexpr std::array<std::string_view, 20> names = {
+        "help",     "mesh",          "output",        "recipe",    "set",
+        "filter",   "precision",     "time",          "threads",   "no-skip",
+        "cache",    "force",         "json",          "report",    "quiet",
+        "progress", "allow-outside", "max-triangles", "max-image", "max-memory"};
     return std::ranges::find(names, name) != names.end() ||
            std::ranges::any_of(parameters(), [&](const RecipeParameter& parameter) {
                return parameter.use.option.ends_with("--" + name);
@@ -240,6 +243,7 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
 
 void add_run_options(CLI::App& verb, BakeCommand& command) {
     add_threads(verb, command.threads);
+    add_input_limits(verb, command.meshes, command.recipe);
     command.economy.add_skips(verb);
     command.economy.add_cache(verb);
     verb.add_flag("--force", command.force, "Make outputs again that are up to date");

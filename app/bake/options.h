@@ -61,7 +61,9 @@ struct BakeCommand {
     int bits() const { return std::min(depth.value_or(8), 16); }
     /// The mesh at rest, split as --displace says. Throws Error as MeshOptions::load and
     /// subdivided() do.
-    Mesh load_mesh() const { return subdivided(meshes.load(mesh), displace.value_or(0)); }
+    Mesh load_mesh() const {
+        return subdivided(meshes.load(mesh), displace.value_or(0), meshes.read.most_triangles);
+    }
     /// Sentences about what the document of the recipe, which has been loaded, says and the recipe
     /// does not hold. Throws
     /// Error(unsupported) where there is such a thing and --strict was given.
@@ -86,8 +88,8 @@ void add_report_options(CLI::App& verb, BakeCommand& command);
 /// Throws Error(usage) if two of --json, --report and --quiet contradict each other.
 void check_report_options(bool json, const std::string& report, bool quiet);
 
-/// Adds the options that no output depends on: --threads, --no-skip, --force, --cache and
-/// --progress.
+/// Adds the options that no output depends on: --threads, --no-skip, --force, --cache, --progress
+/// and those of add_input_limits().
 void add_run_options(CLI::App& verb, BakeCommand& command);
 
 /// The options of add_bake_options that are not in the recipe, without the mesh and the output, as

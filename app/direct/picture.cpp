@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/light/chosen_environment.h"
+#include "app/options/input_limits.h"
 #include "app/recipe/edit/images.h"
 #include "app/recipe/lattice_check.h"
 #include "app/scene/ground.h"
@@ -152,6 +153,7 @@ void DirectOptions::add(CLI::App& verb) {
         ->capture_default_str();
     meshes.add(verb);
     add_pose(verb, pose);
+    add_input_limits(verb, meshes, recipe);
 }
 
 View DirectOptions::parsed_view() const {

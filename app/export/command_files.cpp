@@ -98,23 +98,24 @@ void check_output_file(const std::string& path) {
 
 /// Appends the files that a glTF's list of buffers or images names.
 void add_named_by_uri(const Json& document, const char* list, const fs::path& folder,
-                      std::vector<std::string>& files) {
+                      NamedFiles named, std::vector<std::string>& files) {
     if (!document.is_object() || !document.contains(list)) return;
     for (const Json& item : document[list]) {
         if (!item.is_object() || !item.contains("uri") || !item["uri"].is_string()) continue;
         const auto uri = item["uri"].get<std::string>();
-        const std::string name = is_data_uri(uri) ? "" : confined_file_name(uri);
+        const std::string name = is_data_uri(uri) ? "" : confined_file_name(uri, named);
         if (!name.empty()) files.push_back((folder / name).string());
     }
 }
 
 /// Appends the buffer files of a glTF, and its image files where `all` is set.
-void add_named_by_gltf(const std::string& path, bool all, std::vector<std::string>& files) {
+void add_named_by_gltf(const std::string& path, bool all, NamedFiles named,
+                       std::vector<std::string>& files) {
     const FileBuffer file = read_file(path);
     const Json document = Json::parse(split_gltf(file).json, nullptr, false);
     const fs::path folder = fs::path(path).parent_path();
-    add_named_by_uri(document, "buffers", folder, files);
-    if (all) add_named_by_uri(document, "images", folder, files);
+    add_named_by_uri(document, "buffers", folder, named, files);
+    if (all) add_named_by_uri(document, "images", folder, named, files);
 }
 
 /// Appends the material libraries of an OBJ, the rest of every line "mtllib NAME".
@@ -187,12 +188,13 @@ void check_scene_name(const std::string& out) {
                                 out));
 }
 
-std::vector<std::string> files_of_mesh(const std::string& mesh_path, MeshFiles which) {
+std::vector<std::string> files_of_mesh(const std::string& mesh_path, MeshFiles which,
+                                       NamedFiles named) {
     if (mesh_path.empty() || is_sample_mesh(mesh_path)) return {};
     std::vector<std::string> files{mesh_path};
     const bool all = which == MeshFiles::named;
     try {
-        if (has_gltf_extension(mesh_path)) add_named_by_gltf(mesh_path, all, files);
+        if (has_gltf_extension(mesh_path)) add_named_by_gltf(mesh_path, all, named, files);
         if (all && lower_extension(mesh_path) == ".obj") add_named_by_obj(mesh_path, files);
     } catch (const Error&) {
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/recipe/recipe.h"
+#include "atlas/base/named_files.h"
 
 namespace burl {
 
@@ -71,10 +72,11 @@ enum class MeshFiles {
     named,  ///< besides those of `read`, images of a glTF and material libraries of an OBJ
 };
 
-/// The files of a mesh; empty for a sample mesh or an empty path. Errors of reading are left to the
-/// mesh's reader.
+/// The files of a mesh, of a glTF those that `named` lets be read; empty for a sample mesh or an
+/// empty path. Errors of reading are left to the mesh's reader.
 std::vector<std::string> files_of_mesh(const std::string& mesh_path,
-                                       MeshFiles which = MeshFiles::named);
+                                       MeshFiles which = MeshFiles::named,
+                                       NamedFiles named = NamedFiles::below);
 
 /// The paths of the images of a recipe and its bumps, which are relative to the folder of its file;
 /// each once.

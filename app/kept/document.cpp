@@ -81,7 +81,7 @@ bool erase_extension(Json& object, const char* name) {
 }
 
 KeptDocument::KeptDocument(const FileBuffer& file)
-    : folder_(std::filesystem::path(file.path).parent_path().string()) {
+    : folder_(std::filesystem::path(file.path).parent_path().string()), named_(file.named) {
     tinygltf::Model model = load_gltf(file);
     json = Json::parse(split_gltf(file).json);
     for (tinygltf::Buffer& buffer : model.buffers) sources_.push_back(std::move(buffer.data));
@@ -97,6 +97,14 @@ KeptDocument::KeptDocument(const FileBuffer& file)
             "uncompressed data is kept");
     }
     json.erase("buffers");
+}
+
+std::string KeptDocument::file_of(const std::string& uri) const {
+    const std::string name = is_data_uri(uri) ? "" : confined_file_name(uri, named_);
+    if (name.empty()) return {};
+    const std::string folder = (std::filesystem::path(folder_) / "").string();
+    if (named_ == NamedFiles::below && !lies_below(folder, name)) return {};
+    return folder + name;
 }
 
 std::size_t KeptDocument::add_view(std::vector<std::uint8_t> bytes, std::optional<int> target,

@@ -58,6 +58,9 @@ class KeptDocument {
 
     /// The folder of the file, where images with relative uris lie.
     const std::string& folder() const { return folder_; }
+    /// The path of an image's file beside it; empty for a uri that is none, or that leads out of
+    /// the folder without leave.
+    std::string file_of(const std::string& uri) const;
 
     std::span<const std::uint8_t> view(std::size_t number) const { return views_[number]; }
     /// Adds a bufferView; returns its number.
@@ -93,6 +96,7 @@ class KeptDocument {
     void drop_unused(GltfList list);
 
     std::string folder_;
+    NamedFiles named_;
     std::deque<std::vector<std::uint8_t>> sources_;  ///< buffers of the file
     std::deque<std::vector<std::uint8_t>> added_;
     std::vector<std::span<const std::uint8_t>> views_;

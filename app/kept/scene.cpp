@@ -97,13 +97,13 @@ bool keeps_document(const std::string& mesh_path, const std::string& out_path) {
            is_gltf(out_path);
 }
 
-std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path) {
-    return std::make_shared<KeptScene>(read_file(mesh_path));
+std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path, NamedFiles named) {
+    return std::make_shared<KeptScene>(read_file(mesh_path, named));
 }
 
 void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& options,
              const std::string& pictures, const Mat4d& frame) {
-    scene.origins = read_gltf_origins(read_file(mesh_path), options);
+    scene.origins = read_gltf_origins(read_file(mesh_path, options.named), options);
     scene.frame = frame;
     for (GltfPartOrigin& part : scene.origins.parts) part.to_scene = frame * part.to_scene;
     scene.pictures = lower_extension(pictures) == ".glb" ? "" : pictures;

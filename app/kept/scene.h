@@ -28,8 +28,10 @@ struct KeptScene {
 /// Whether a bake of the mesh file to the output keeps the document of the mesh: both are glTF.
 bool keeps_document(const std::string& mesh_path, const std::string& out_path);
 
-/// The document of the mesh file. Throws Error as load_gltf() does.
-std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path);
+/// The document of the mesh file, whose own files may lie where `named` says. Throws Error as
+/// load_gltf() does.
+std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path,
+                                      NamedFiles named = NamedFiles::below);
 
 /// Makes the scene ready for a bake of the mesh that is read with `options` and then moved by
 /// `frame`, which a new root node of the document says; pictures beside a .gltf are named after

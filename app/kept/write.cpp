@@ -40,10 +40,10 @@ std::string_view media_type_of(std::span<const std::uint8_t> bytes) {
 /// stays as it is named.
 void embed(KeptDocument& document, Json& image) {
     const std::string uri = image.at("uri");
-    const std::string name = is_data_uri(uri) ? "" : confined_file_name(uri);
-    if (name.empty()) return;
+    const std::string path = document.file_of(uri);
+    if (path.empty()) return;
     try {
-        const FileBuffer file = read_file((fs::path(document.folder()) / name).string());
+        const FileBuffer file = read_file(path);
         std::vector<std::uint8_t> bytes(file.bytes.get(), file.bytes.get() + file.size);
         const std::string_view type = media_type_of(bytes);
         if (type.empty()) return;

@@ -24,6 +24,7 @@
 #include "app/base/progress.h"
 #include "app/export/command_files.h"
 #include "app/main/verbs.h"
+#include "app/options/input_limits.h"
 #include "app/pipeline/tasks.h"
 #include "app/recipe/presets.h"
 #include "app/surface/sample_meshes.h"
@@ -129,8 +130,9 @@ void check_meshes(const std::vector<std::string>& meshes) {
 std::vector<BatchEntry> entries_of(const BatchCommand& command) {
     const BatchShard shard = batch_shard(command.shard);
     if (!command.is_manifest()) check_meshes(command.what);
-    return command.is_manifest() ? read_manifest(command.what.front(), shard)
-                                 : matrix_of_options(command.what, command.options(), shard);
+    return command.is_manifest()
+               ? read_manifest(command.what.front(), shard, command.run.meshes.read.named)
+               : matrix_of_options(command.what, command.options(), shard);
 }
 
 /// All entries of the manifest. Throws Error where any is wrong, after a line on stderr for each of
@@ -142,6 +144,8 @@ std::vector<BatchBake> check_manifest(const BatchCommand& command) {
     const auto images = std::make_shared<RecipeImages>();
     for (BatchEntry& entry : entries) {
         entry.command.recipe.images = images;
+        copy_input_limits(command.run.meshes, command.run.recipe, entry.command.meshes,
+                          entry.command.recipe);
         entry.command.threads = command.run.threads;
         entry.command.economy = command.run.economy;
         entry.command.force = command.run.force;
@@ -307,7 +311,7 @@ void run_batch(BatchCommand command) {
     BakeCommand& run = command.run;
     check_report_options(run.json, run.report, run.quiet);
     const std::uint64_t budget =
-        command.memory.empty() ? default_budget() : memory_size(command.memory);
+        command.memory.empty() ? default_budget() : memory_size("--memory", command.memory);
     Progress progress(progress_mode(run.progress, run.quiet));
     std::vector<BatchBake> bakes = check_manifest(command);
     BatchLines lines(!run.json && !run.quiet && run.report != "-");

@@ -18,6 +18,7 @@
 #include "app/measure/report.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
+#include "app/options/input_limits.h"
 #include "app/options/metres.h"
 #include "app/recipe/channel_texture.h"
 #include "atlas/base/error.h"
@@ -204,6 +205,7 @@ void add_eval(CLI::App& program) {
     command->noise.add(*verb);
     command->recipe.add_precision(*verb, "float32, beside float64");
     verb->add_flag("--json", command->json, "Print JSON");
+    add_input_limits(*verb, command->meshes, command->recipe);
     verb->callback([command, recipe, verb] {
         command->noise.check_given(*verb);
         run_eval(*command, recipe->count() > 0);

@@ -14,6 +14,7 @@
 #include "app/measure/measuring.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
+#include "app/options/input_limits.h"
 #include "app/options/metres.h"
 #include "app/pipeline/tasks.h"
 #include "app/recipe/parameters.h"
@@ -189,6 +190,7 @@ void add_metrics(CLI::App& program) {
                      "Where --image looks from: AZ,EL,DIST as in burl render (default 30,20,3.5)");
     verb->add_flag("--json", command->json, "Print JSON");
     add_progress(*verb, command->progress);
+    add_input_limits(*verb, command->meshes, command->recipe);
     verb->get_option("--view")->needs("--image");
     verb->callback([command, verb, texture] {
         for (const char* option : {"--texture", "--fill"})

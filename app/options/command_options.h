@@ -46,7 +46,8 @@ struct RecipeOptions {
     /// --time in seconds, for a recipe with keys; 0 where it is left out.
     std::optional<double> time;
     /// The images read so far; copies of the options, one per frame, share them.
-    std::shared_ptr<RecipeImages> images = std::make_shared<RecipeImages>();
+    std::shared_ptr<RecipeImages> images =
+        std::make_shared<RecipeImages>(ImageLimits{.named = NamedFiles::below});
 
     void add_recipe(CLI::App& verb);
     /// Adds --set and --time alone, for verbs that take the recipe as an argument.

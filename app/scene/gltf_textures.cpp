@@ -104,10 +104,14 @@ PictureColors GltfTextures::image(int number) const {
                         path_, pictures_read));
     const tinygltf::Image& image = model_.images[std::size_t(number)];
     if (image.image.empty()) {
-        const bool confined = !confined_file_name(image.uri).empty();
+        const std::string name = confined_file_name(image.uri, named_);
+        const bool lies_out =
+            !name.empty() && named_ == NamedFiles::below && !lies_below(path_, name);
         throw Error(ExitCode::io,
                     fmt::format("{}: the texture '{}' {}", path_, printable(image.uri),
-                                confined ? "is not there; put it beside the file" : confined_rule));
+                                name.empty() ? confined_rule
+                                : lies_out   ? outside_rule
+                                             : "is not there; put it beside the file"));
     }
     return decode_picture(image.image, fmt::format("{}: {}", path_, where));
 }

@@ -20,11 +20,11 @@ namespace burl {
 /// Loads textures of a file at their first use.
 class GltfTextures {
   public:
-    /// `model` and `textures`, to which the textures are added, must outlive the object; `path`
-    /// names the file in messages.
-    GltfTextures(const tinygltf::Model& model, const std::string& path,
+    /// `model`, `path` and `textures`, to which the textures are added, must outlive the object;
+    /// `path` is the file's, whose pictures may lie where `named` says.
+    GltfTextures(const tinygltf::Model& model, const std::string& path, NamedFiles named,
                  std::vector<SceneTexture>& textures)
-        : model_(model), path_(path), textures_(textures) {}
+        : model_(model), path_(path), named_(named), textures_(textures) {}
 
     /// The index in the scene of glTF texture `number`, which must exist, as colour or as data.
     /// Throws Error: io for an image that is not there, and as decode_picture() does.
@@ -39,6 +39,7 @@ class GltfTextures {
 
     const tinygltf::Model& model_;
     const std::string& path_;
+    NamedFiles named_;
     std::vector<SceneTexture>& textures_;
     /// Scene textures by glTF texture and use as colour.
     std::map<std::pair<int, bool>, int> loaded_;

@@ -44,7 +44,7 @@ void add_triangle(Surface& surface, const Mesh& mesh, const std::vector<Vec3f>& 
 
 }  // namespace
 
-Scene load_scene(const std::string& path, const std::string& pose) {
+Scene load_scene(const std::string& path, const std::string& pose, NamedFiles named) {
     const std::string extension = lower_extension(path);
     const bool gltf = extension == ".glb" || extension == ".gltf";
     if (!gltf && !pose.empty())
@@ -52,8 +52,8 @@ Scene load_scene(const std::string& path, const std::string& pose) {
                     fmt::format("--pose {}: only a .gltf or .glb that is drawn has poses of its "
                                 "own; leave it out",
                                 pose));
-    Scene scene = gltf                  ? load_gltf_scene(read_file(path), pose)
-                  : extension == ".obj" ? load_obj_scene(path)
+    Scene scene = gltf                  ? load_gltf_scene(read_file(path, named), pose)
+                  : extension == ".obj" ? load_obj_scene(path, named)
                                         : load_plain_mesh(path);
     if (scene.surfaces.empty()) throw invalid_file(path, 0, "the scene holds no triangle to draw");
     if (!std::isfinite(bounding_sphere(scene).radius)) {

@@ -78,14 +78,16 @@ struct Scene {
 /// Loads a .glb, .gltf or .obj with its materials and textures (PNG, JPEG, WebP). All other files
 /// (.ply, .stl, .off) are drawn in vertex colours or grey. A glTF may be drawn in one of its own
 /// poses (atlas/gltf/pose.h); empty: as its nodes and weights are stored, skins in their bind pose.
+/// Buffers, material libraries and pictures may lie where `named` says.
 /// Throws Error: io, invalid_file, unsupported (other formats, KTX textures among them), usage for
 /// a pose that the file does not have.
-Scene load_scene(const std::string& path, const std::string& pose = {});
+Scene load_scene(const std::string& path, const std::string& pose = {},
+                 NamedFiles named = NamedFiles::below);
 
 /// The scene of a glTF file, with materials. Throws Error as load_scene does.
 Scene load_gltf_scene(const FileBuffer& file, const std::string& pose = {});
 /// The scene of an OBJ file, with the materials of its library. Throws Error as load_scene does.
-Scene load_obj_scene(const std::string& path);
+Scene load_obj_scene(const std::string& path, NamedFiles named = NamedFiles::below);
 
 /// Computes the tangents (app/surface/tangents.h) of a surface with UVs, and gives each triangle
 /// corner a vertex of its own.

@@ -29,12 +29,12 @@ namespace {
 class GltfSceneLoader {
   public:
     /// `pose` may be null: as the file stores nodes and weights.
-    GltfSceneLoader(const tinygltf::Model& model, const std::string& path, const GltfPose* pose)
+    GltfSceneLoader(const tinygltf::Model& model, const FileBuffer& file, const GltfPose* pose)
         : model_(model),
-          path_(path),
+          path_(file.path),
           pose_(pose),
           to_scene_(scene_transforms(model, pose ? pose->nodes.local : nodes_at_rest(model).local)),
-          textures_(model, path, scene_.textures) {}
+          textures_(model, file.path, file.named, scene_.textures) {}
 
     Scene load() {
         for (const GltfPlacement& placement : scene_placements(model_, to_scene_)) {
@@ -265,12 +265,12 @@ class GltfSceneLoader {
     GltfTextures textures_;
 };
 
-std::vector<std::string> files_beside(const tinygltf::Model& model, const std::string& path) {
+std::vector<std::string> files_beside(const tinygltf::Model& model, const FileBuffer& file) {
     std::vector<std::string> files;
     const auto add = [&](const std::string& uri) {
         if (uri.empty() || is_data_uri(uri)) return;
-        const auto folder = std::filesystem::path(path).parent_path();
-        files.push_back((folder / confined_file_name(uri)).string());
+        const auto folder = std::filesystem::path(file.path).parent_path();
+        files.push_back((folder / confined_file_name(uri, file.named)).string());
     };
     for (const tinygltf::Buffer& buffer : model.buffers) add(buffer.uri);
     for (const tinygltf::Image& image : model.images) add(image.uri);
@@ -283,8 +283,8 @@ Scene load_gltf_scene(const FileBuffer& file, const std::string& pose) {
     const tinygltf::Model model = load_gltf(file);
     std::optional<GltfPose> found;
     if (!pose.empty()) found = find_pose(model, pose, file.path);
-    Scene scene = GltfSceneLoader(model, file.path, found ? &*found : nullptr).load();
-    scene.files = files_beside(model, file.path);
+    Scene scene = GltfSceneLoader(model, file, found ? &*found : nullptr).load();
+    scene.files = files_beside(model, file);
     return scene;
 }
 

@@ -149,10 +149,16 @@ bool file_exists(const std::filesystem::path& path) {
 /// The materials of these names, in their order; no value, with a note for stderr, where there is
 /// none.
 std::vector<std::optional<ObjMaterial>> find_looks(const std::string& path, const MaterialUse& use,
+                                                   NamedFiles named,
                                                    std::vector<std::string>& notes) {
     std::vector<std::optional<ObjMaterial>> looks(use.names.size());
     if (use.library.empty() || use.names.empty()) return looks;
     const auto library = std::filesystem::path(path).parent_path() / use.library;
+    if (named == NamedFiles::below && !lies_below(path, use.library)) {
+        notes.push_back(fmt::format("{}: its material file {} {}; drawn without", path,
+                                    printable(use.library), outside_rule));
+        return looks;
+    }
     if (!file_exists(library)) {
         notes.push_back(fmt::format("{}: its material file {} is missing; drawn without", path,
                                     printable(use.library)));
@@ -229,10 +235,12 @@ Image<Rgb8> from_mask_map(const Image<Rgb8>& mask, const Image<Grey8>& smoothnes
 /// Loads the pictures of a material into a scene.
 class ObjPictures {
   public:
-    ObjPictures(const std::string& path, const ObjMaterial& material, Scene& scene)
+    ObjPictures(const std::string& path, const ObjMaterial& material, NamedFiles named,
+                Scene& scene)
         : path_(path),
           folder_(std::filesystem::path(path).parent_path()),
           material_(material),
+          named_(named),
           scene_(scene) {}
 
     /// Sets the material's textures.
@@ -256,7 +264,13 @@ class ObjPictures {
         look.maps[std::size_t(map)] = texture;
     }
 
+    bool may_be_read(const std::string& map) const {
+        return named_ == NamedFiles::anywhere || lies_below(path_, map);
+    }
     PictureColors read(const char* keyword, const std::string& map) {
+        if (!may_be_read(map))
+            throw invalid_file(path_, 0,
+                               fmt::format("{} {} {}", keyword, printable(map), outside_rule));
         scene_.files.push_back((folder_ / map).string());
         return read_map(path_, keyword, map);
     }
@@ -264,7 +278,7 @@ class ObjPictures {
     PictureColors read_if_there(const char* keyword, std::string_view what) {
         const std::string map = material_.map(keyword);
         if (map.empty()) return {};
-        if (is_picture(folder_ / map)) return read(keyword, map);
+        if (!may_be_read(map) || is_picture(folder_ / map)) return read(keyword, map);
         scene_.notes.push_back(fmt::format("{}: the {} {} is no {} that is there; drawn without",
                                            path_, what, printable(map), pictures_read));
         return {};
@@ -298,7 +312,7 @@ class ObjPictures {
     /// Loads the picture that the exporter's comment names.
     void load_packed(SceneMaterial& look) {
         const std::string& name = material_.packed;
-        if (!is_picture(folder_ / name)) return;
+        if (!may_be_read(name) || !is_picture(folder_ / name)) return;
         auto [image, alpha] = colors_and_alpha(read("roughness and metallic", name));
         if (std::filesystem::path(name).stem().string().ends_with("_mask"))
             image = from_mask_map(image, alpha);
@@ -311,23 +325,26 @@ class ObjPictures {
     const std::string& path_;
     std::filesystem::path folder_;
     const ObjMaterial& material_;
+    NamedFiles named_;
     Scene& scene_;
 };
 
 }  // namespace
 
-Scene load_obj_scene(const std::string& path) {
+Scene load_obj_scene(const std::string& path, NamedFiles named) {
     const Mesh mesh = read_mesh(path);
     const MaterialUse use = find_materials(path);
     Scene pictures;
-    const std::vector<std::optional<ObjMaterial>> found = find_looks(path, use, pictures.notes);
+    const std::vector<std::optional<ObjMaterial>> found =
+        find_looks(path, use, named, pictures.notes);
     const bool colored = !mesh.corners.colors.empty();
     SceneMaterial none;
     none.factor = colored ? Vec4f(1.0f) : default_grey;
     std::vector<SceneMaterial> looks;
     for (const std::optional<ObjMaterial>& one : found) {
         looks.push_back(one ? one->look : none);
-        if (one && !mesh.corners.uvs.empty()) ObjPictures(path, *one, pictures).load(looks.back());
+        if (one && !mesh.corners.uvs.empty())
+            ObjPictures(path, *one, named, pictures).load(looks.back());
     }
     looks.push_back(none);
     if (std::ranges::any_of(found, [](const auto& one) { return one.has_value(); }))

@@ -45,8 +45,8 @@ Mesh sample_mesh(const std::string& argument, const ReadOptions& options) {
     return build_mesh(parse_mesh(file, options), file.path, options);
 }
 
-FileBuffer mesh_bytes(const std::string& path) {
-    return is_sample_mesh(path) ? sample_file(path) : read_file(path);
+FileBuffer mesh_bytes(const std::string& path, NamedFiles named) {
+    return is_sample_mesh(path) ? sample_file(path) : read_file(path, named);
 }
 
 std::vector<std::string> sample_mesh_names() {
@@ -64,8 +64,9 @@ bool is_pose_file(const std::string& pose) {
 }
 
 MeshPose load_pose(const std::string& mesh, const std::string& pose, const ReadOptions& options) {
-    return is_pose_file(pose) ? read_pose(mesh_bytes(mesh), mesh_bytes(pose), options)
-                              : read_own_pose(mesh_bytes(mesh), pose, options);
+    const FileBuffer file = mesh_bytes(mesh, options.named);
+    return is_pose_file(pose) ? read_pose(file, mesh_bytes(pose, options.named), options)
+                              : read_own_pose(file, pose, options);
 }
 
 std::vector<std::string> poses_of(const std::string& mesh) {

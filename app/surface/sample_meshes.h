@@ -20,7 +20,7 @@ Mesh sample_mesh(const std::string& argument, const ReadOptions& options = {});
 
 /// The bytes of a mesh file, or of the OBJ of a sample. Throws Error as read_file and sample_mesh
 /// do.
-FileBuffer mesh_bytes(const std::string& path);
+FileBuffer mesh_bytes(const std::string& path, NamedFiles named = NamedFiles::below);
 
 /// The names of the sample meshes, without "sample:", in alphabetical order.
 std::vector<std::string> sample_mesh_names();

@@ -31,7 +31,7 @@ struct Descriptor {
 
 }  // namespace
 
-FileBuffer read_file(const std::string& path) {
+FileBuffer read_file(const std::string& path, NamedFiles named) {
     // O_NONBLOCK: opening a pipe must not wait for a writer.
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     if (file.number < 0) fail(path, errno);
@@ -44,6 +44,7 @@ FileBuffer read_file(const std::string& path) {
 
     FileBuffer buffer;
     buffer.path = path;
+    buffer.named = named;
     const auto size = static_cast<std::size_t>(status.st_size);
     buffer.bytes = std::make_unique_for_overwrite<char[]>(std::max<std::size_t>(size, 1));
     while (buffer.size < size) {

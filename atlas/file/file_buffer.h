@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "atlas/base/named_files.h"
+
 namespace burl {
 
 /// The bytes of a file and the path that messages name it by.
@@ -18,14 +20,15 @@ struct FileBuffer {
     std::string path;  ///< path as given, for messages
     std::unique_ptr<char[]> bytes;
     std::size_t size = 0;
-    std::stop_token stop{};  ///< a request that parsers of text stop (TextScanner)
+    std::stop_token stop{};                ///< a request that parsers of text stop (TextScanner)
+    NamedFiles named = NamedFiles::below;  ///< where files that it names may lie
 
     std::string_view text() const { return {bytes.get(), size}; }
 };
 
-/// Reads a regular file. Throws Error(io), with the system's reason, when it is missing, a folder,
-/// a device, or may not be read.
-FileBuffer read_file(const std::string& path);
+/// Reads a regular file; files that it names may lie where `named` says. Throws Error(io), with the
+/// system's reason, when it is missing, a folder, a device, or may not be read.
+FileBuffer read_file(const std::string& path, NamedFiles named = NamedFiles::below);
 
 /// A buffer that holds a copy of `content`; `path` is only its name in messages.
 FileBuffer buffer_from(std::string_view content, std::string path);

@@ -82,10 +82,12 @@ std::int64_t data_uri_bytes(std::string_view uri) {
     return -1;
 }
 
-std::string confined_file_name(std::string_view uri) {
+std::string confined_file_name(std::string_view uri, NamedFiles named) {
     const std::string name = percent_decoded(uri);
-    if (name.empty() || name.front() == '/') return {};
+    if (name.empty()) return {};
     if (name.find_first_of(std::string_view(":\\\0", 3)) != std::string::npos) return {};
+    if (named == NamedFiles::anywhere) return name;
+    if (name.front() == '/') return {};
     std::size_t begin = 0;
     while (begin <= name.size()) {
         const std::size_t end = std::min(name.find('/', begin), name.size());

@@ -27,8 +27,9 @@ bool is_data_uri(std::string_view uri);
 std::int64_t data_uri_bytes(std::string_view uri);
 
 /// The uri with %XX decoded, if it names a file in the glTF's folder or below: no scheme, no
-/// absolute path, no "..", no backslash. Empty otherwise.
-std::string confined_file_name(std::string_view uri);
+/// absolute path, no "..", no backslash; where files may lie anywhere, no scheme and no backslash.
+/// Empty otherwise. Symbolic links are not looked at (lies_below).
+std::string confined_file_name(std::string_view uri, NamedFiles named = NamedFiles::below);
 /// The end of a sentence about a uri that has no confined_file_name().
 inline constexpr auto confined_rule =
     "may lead out of the file's folder, as absolute ones do, and those with '..', ':' or a "

@@ -104,9 +104,18 @@ std::vector<unsigned char> bytes_of(const FileBuffer& file, std::size_t size) {
     return {file.bytes.get(), file.bytes.get() + size};
 }
 
+/// The path of a file that the document names.
+std::string beside(const FileBuffer& document, const std::string& name) {
+    return (std::filesystem::path(document.path).parent_path() / name).string();
+}
+
+bool may_be_read(const FileBuffer& document, const std::string& name) {
+    return document.named == NamedFiles::anywhere || lies_below(document.path, name);
+}
+
 /// Checks that buffer `i` has its bytes, and reads them when they are in a file of their own.
 void check_buffer(const GltfChecker& gltf, const Json& buffer, std::size_t i,
-                  const GltfParts& parts, const std::filesystem::path& folder, Files& files) {
+                  const GltfParts& parts, const FileBuffer& document, Files& files) {
     const std::string where = place("buffers", i);
     const std::uint64_t size = gltf.whole(buffer, "byteLength", where);
     const std::string* uri = gltf.string_in(buffer, "uri", where);
@@ -127,23 +136,25 @@ void check_buffer(const GltfChecker& gltf, const Json& buffer, std::size_t i,
                       fmt::format("'byteLength' is {}, but the data uri holds {}", size, held));
         return;
     }
-    const std::string name = confined_file_name(*uri);
+    const std::string name = confined_file_name(*uri, document.named);
     if (name.empty())
         gltf.fail(where, fmt::format("the uri '{}' {}", printable(*uri), confined_rule));
-    const FileBuffer file = read_file((folder / name).string());
+    if (!may_be_read(document, name))
+        gltf.fail(where, fmt::format("'{}' {}", printable(name), outside_rule));
+    const FileBuffer file = read_file(beside(document, name));
     expect(file.size);
     files[virtual_folder + '/' + name] = bytes_of(file, size);
 }
 
 /// Reads an image's file when it is there; a missing one is no reason to refuse the geometry.
-void read_image(const GltfChecker& gltf, const Json& image, const std::filesystem::path& folder,
+void read_image(const GltfChecker& gltf, const Json& image, const FileBuffer& document,
                 Files& files) {
     const std::string* uri = gltf.string_in(image, "uri", "images");
     if (uri == nullptr || is_data_uri(*uri)) return;
-    const std::string name = confined_file_name(*uri);
-    if (name.empty()) return;
+    const std::string name = confined_file_name(*uri, document.named);
+    if (name.empty() || !may_be_read(document, name)) return;
     try {
-        const FileBuffer file = read_file((folder / name).string());
+        const FileBuffer file = read_file(beside(document, name));
         if (file.size <= largest_gltf_integer)
             files[virtual_folder + '/' + name] = bytes_of(file, file.size);
     } catch (const Error&) {
@@ -256,12 +267,11 @@ tinygltf::Model load_gltf(const FileBuffer& file) {
         const GltfChecker gltf(root, path);
         check_version(gltf, root);
         check_extensions(gltf, root, path);
-        const auto folder = std::filesystem::path(path).parent_path();
         const Json& buffers = gltf.list("buffers");
         for (std::size_t i = 0; i < buffers.size(); ++i)
-            check_buffer(gltf, buffers[i], i, parts, folder, files);
+            check_buffer(gltf, buffers[i], i, parts, file, files);
         check_gltf(gltf);
-        for (const Json& image : gltf.list("images")) read_image(gltf, image, folder, files);
+        for (const Json& image : gltf.list("images")) read_image(gltf, image, file, files);
     }
     tinygltf::Model model = parse_checked(file, parts, files);
     check_contents(model, path);

@@ -15,7 +15,8 @@ namespace burl {
 /// buffer, every accessor inside its view, every index names something that exists, vertex indices
 /// are in range, and nodes form trees. Images stay encoded: `image.image` holds the PNG or JPEG
 /// bytes and `as_is` is set; it is empty where an image's file is missing or outside the glTF's
-/// folder. External buffers are read from the glTF's own folder and below only. Throws Error: io
+/// folder. Files that it names are read from the glTF's own folder and
+/// below, unless `file.named` says anywhere. Throws Error: io
 /// when a file cannot be read, invalid_file when the content is wrong, unsupported for a required
 /// extension that would change the geometry (Draco, meshopt ...).
 tinygltf::Model load_gltf(const std::string& path);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "atlas/base/named_files.h"
 #include "atlas/base/vec.h"
 
 namespace burl {
@@ -102,6 +103,10 @@ struct ReadOptions {
     /// The N of the glTF attribute TEXCOORD_N that texture coordinates are read from.
     std::uint32_t uv_set = 0;
     GltfChoice choice{};
+    /// Where files may lie that the mesh's file names.
+    NamedFiles named = NamedFiles::below;
+    /// The most triangles that a mesh may have, those of instances that share none included.
+    std::uint64_t most_triangles = std::uint64_t(1) << 27U;
 };
 
 }  // namespace burl

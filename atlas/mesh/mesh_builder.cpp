@@ -27,12 +27,17 @@ struct Triangulation {
     std::vector<std::uint32_t> faces;  ///< soup's face of each triangle
 };
 
-void check_size(const PolygonSoup& soup, const std::string& path) {
+void check_size(const PolygonSoup& soup, const std::string& path, std::uint64_t most) {
     const std::size_t faces = soup.face_count();
     if (faces == 0) throw invalid_file(path, 0, "the file holds no face, so there is no surface");
     if (soup.corners.size() - 2 * faces > largest_triangle_count)
         throw Error(ExitCode::unsupported, fmt::format("{}: more than {} triangles; split the mesh",
                                                        path, largest_triangle_count));
+    if (soup.corners.size() - 2 * faces > most)
+        throw Error(ExitCode::unsupported,
+                    fmt::format("{}: {} triangles are more than {} (--max-triangles); split the "
+                                "mesh, or allow more",
+                                path, soup.corners.size() - 2 * faces, most));
 }
 
 Triangulation take_triangles(PolygonSoup& soup) {
@@ -225,7 +230,7 @@ std::vector<std::uint32_t> corners_of_triangles(PolygonSoup& soup) {
 
 Mesh build_mesh(PolygonSoup&& soup, const std::string& path, const ReadOptions& options,
                 const std::stop_token& stop) {
-    check_size(soup, path);
+    check_size(soup, path, options.most_triangles);
     Mesh mesh;
     mesh.name = std::filesystem::path(path).stem().string();
     mesh.notes = std::move(soup.notes);

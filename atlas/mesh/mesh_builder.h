@@ -23,8 +23,9 @@ std::vector<std::uint32_t> corners_of_triangles(PolygonSoup& soup);
 /// in file order, attributes carried to corners (normals made unit; a missing or zero one becomes
 /// the face's own, a missing colour white, a missing uv 0), and everything counted in `notes`.
 /// `path` gives the mesh its name and messages their file. Throws Error(invalid_file) for a soup
-/// without faces or beyond largest_triangle_count, and Error(runtime) where `stop` is requested,
-/// which is looked at between passes over the mesh.
+/// without faces or beyond largest_triangle_count, Error(unsupported) beyond
+/// options.most_triangles, and Error(runtime) where `stop` is requested, which is looked at between
+/// passes over the mesh.
 Mesh build_mesh(PolygonSoup&& soup, const std::string& path, const ReadOptions& options = {},
                 const std::stop_token& stop = {});
 

@@ -134,13 +134,13 @@ void split(Mesh& mesh) {
 
 }  // namespace
 
-Mesh subdivided(Mesh mesh, int times) {
-    constexpr std::size_t most = std::size_t(1) << 27;
+Mesh subdivided(Mesh mesh, int times, std::uint64_t most) {
     if (times > 0 && (mesh.triangles.size() << (2 * times)) > most)
-        throw Error(ExitCode::unsupported,
-                    fmt::format("{} triangles split in four {} times are more than 2^27; split "
-                                "them less often",
-                                mesh.triangles.size(), times));
+        throw Error(
+            ExitCode::unsupported,
+            fmt::format("{} triangles split in four {} times are more than {} (--max-triangles); "
+                        "split them less often",
+                        mesh.triangles.size(), times, most));
     for (int i = 0; i < times; ++i) split(mesh);
     return mesh;
 }

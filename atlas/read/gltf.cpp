@@ -133,6 +133,11 @@ class SceneReader {
         }
         if (origins_) note_origins(placement, number);
         stitches_ += reader.stitches();
+        if (soup_.face_count() > options_.most_triangles)
+            throw Error(ExitCode::unsupported,
+                        fmt::format("{}: more than {} triangles (--max-triangles), instances "
+                                    "included; split the scene, or allow more",
+                                    path_, options_.most_triangles));
         const std::size_t count = soup_.face_count() - first;
         for (std::size_t i = 0; i < count; ++i) soup_.source_faces.push_back(next_face_number_++);
         soup_.parts.push_back({gltf_mesh_name(model_, placement.mesh), first, count, {Mat4d(1.0)}});

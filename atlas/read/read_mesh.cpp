@@ -52,12 +52,13 @@ PolygonSoup parse_mesh(const FileBuffer& file, const ReadOptions& options) {
 
 PolygonSoup parse_mesh(const std::string& path, const ReadOptions& options) {
     parser_for(path);  // an unknown format is reported before a missing file
-    return parse_mesh(with_memory_error(path, [&] { return read_file(path); }), options);
+    return parse_mesh(with_memory_error(path, [&] { return read_file(path, options.named); }),
+                      options);
 }
 
 Mesh read_mesh(const std::string& path, const ReadOptions& options, const std::stop_token& stop) {
     parser_for(path);
-    FileBuffer file = with_memory_error(path, [&] { return read_file(path); });
+    FileBuffer file = with_memory_error(path, [&] { return read_file(path, options.named); });
     file.stop = stop;
     check_stop(stop);
     PolygonSoup soup = parse_mesh(file, options);

@@ -92,15 +92,15 @@ Image<RgbF> with_power_of_two_sides(Image<RgbF> image, ImageWrap wrap) {
     return image;
 }
 
-/// The means of 2 x 2 texels, or of two where one side is 1 already.
-Image<RgbF> halved(const Image<RgbF>& image) {
-    const std::size_t dx = image.width() > 1, dy = image.height() > 1;
-    Image<RgbF> result(image.width() >> dx, image.height() >> dy);
+/// The means of 2 x 2 texels of a level, or of two where one side is 1 already.
+Image<RgbF> halved(const MipImage& image, std::size_t level) {
+    const std::size_t dx = image.width(level) > 1, dy = image.height(level) > 1;
+    Image<RgbF> result(image.width(level) >> dx, image.height(level) >> dy);
     for (std::size_t y = 0; y < result.height(); ++y)
         for (std::size_t x = 0; x < result.width(); ++x) {
             const std::size_t i = x << dx, j = y << dy;
-            const RgbF a = image(i, j), b = image(i + dx, j), c = image(i, j + dy),
-                       d = image(i + dx, j + dy);
+            const RgbF a = image.texel(level, i, j), b = image.texel(level, i + dx, j),
+                       c = image.texel(level, i, j + dy), d = image.texel(level, i + dx, j + dy);
             result(x, y) = {0.25f * (a.r + b.r + c.r + d.r), 0.25f * (a.g + b.g + c.g + d.g),
                             0.25f * (a.b + b.b + c.b + d.b)};
         }
@@ -123,12 +123,18 @@ float alpha_of(const Rgba8& texel) {
     return float(texel.a) / 255.0f;
 }
 
-/// The image in linear light, multiplied by its alpha.
-template <class Pixel>
-Image<RgbF> decoded(const Image<Pixel>& image) {
+/// Linear light of the 256 codes of sRGB.
+std::array<float, 256> decoded_codes() {
     std::array<float, 256> linear{};
     for (std::size_t code = 0; code < 256; ++code)
         linear[code] = float(srgb_decode(double(code) / 255.0));
+    return linear;
+}
+
+/// The image in linear light, multiplied by its alpha.
+template <class Pixel>
+Image<RgbF> decoded(const Image<Pixel>& image) {
+    const std::array<float, 256> linear = decoded_codes();
     return each_texel(image, [&](const Pixel& c) {
         const float alpha = alpha_of(c);
         return RgbF{alpha * linear[c.r], alpha * linear[c.g], alpha * linear[c.b]};
@@ -145,6 +151,10 @@ Image<RgbF> greys_of_alpha(const Image<Rgba8>& image) {
 
 bool has_transparent_texel(const Image<Rgba8>& image) {
     return std::ranges::any_of(image.pixels(), [](const Rgba8& texel) { return texel.a < 255; });
+}
+
+Image<Rgb8> without_alpha(const Image<Rgba8>& image) {
+    return converted<Rgb8>(image, [](const Rgba8& c) { return Rgb8{c.r, c.g, c.b}; });
 }
 
 /// Cuts the channels at those of `limits`.
@@ -165,15 +175,25 @@ ImageSample blend(const ImageSample& a, const ImageSample& b, double w) {
 
 }  // namespace
 
-MipImage::MipImage(const Image<Rgb8>& image, ImageWrap wrap)
-    : MipImage(with_power_of_two_sides(decoded(image), wrap), wrap) {}
+MipImage::MipImage(const Image<Rgb8>& image, ImageWrap wrap) : wrap_(wrap) {
+    if (std::has_single_bit(image.width()) && std::has_single_bit(image.height())) {
+        codes_ = image;
+        linear_ = decoded_codes();
+        levels_.emplace_back();
+    } else {
+        levels_.push_back(with_power_of_two_sides(decoded(image), wrap));
+    }
+    add_levels();
+}
 
-MipImage::MipImage(const Image<Rgba8>& image, ImageWrap wrap)
-    : MipImage(with_power_of_two_sides(decoded(image), wrap), wrap) {
-    if (!has_transparent_texel(image)) return;
+MipImage::MipImage(const Image<Rgba8>& image, ImageWrap wrap) : wrap_(wrap) {
+    if (!has_transparent_texel(image)) {
+        *this = MipImage(without_alpha(image), wrap);
+        return;
+    }
     Image<RgbF> alpha = with_power_of_two_sides(greys_of_alpha(image), wrap);
     cut_at(Image<RgbF>(alpha.width(), alpha.height(), {1.0f, 1.0f, 1.0f}), alpha);
-    Image<RgbF> colors = std::move(levels_.front());
+    Image<RgbF> colors = with_power_of_two_sides(decoded(image), wrap);
     cut_at(alpha, colors);
     *this = MipImage(std::move(colors), wrap);
     alpha_.push_back(MipImage(std::move(alpha), wrap));
@@ -181,36 +201,39 @@ MipImage::MipImage(const Image<Rgba8>& image, ImageWrap wrap)
 
 MipImage::MipImage(Image<RgbF> finest, ImageWrap wrap) : wrap_(wrap) {
     levels_.push_back(std::move(finest));
-    while (levels_.back().width() > 1 || levels_.back().height() > 1)
-        levels_.push_back(halved(levels_.back()));
+    add_levels();
 }
 
-Vec3d MipImage::texel(std::size_t level, double x, double y) const {
-    const Image<RgbF>& image = levels_[level];
-    const std::ptrdiff_t i = wrapped(x, image.width(), wrap_),
-                         j = wrapped(y, image.height(), wrap_);
+void MipImage::add_levels() {
+    while (width(level_count() - 1) > 1 || height(level_count() - 1) > 1)
+        levels_.push_back(halved(*this, level_count() - 1));
+}
+
+Vec3d MipImage::wrapped_texel(std::size_t level, double x, double y) const {
+    const std::ptrdiff_t i = wrapped(x, width(level), wrap_), j = wrapped(y, height(level), wrap_);
     if (i < 0 || j < 0) return Vec3d(0.0);
-    const RgbF& c = image(std::size_t(i), std::size_t(j));
+    const RgbF c = texel(level, std::size_t(i), std::size_t(j));
     return {c.r, c.g, c.b};
 }
 
 ImageSample MipImage::bilinear(std::size_t level, double s, double t) const {
-    if (!(std::abs(s) < farthest && std::abs(t) < farthest)) return {texel(level, 0, 0), {}, {}};
-    const double width = double(levels_[level].width()), height = double(levels_[level].height());
-    const double x = s * width - 0.5, y = t * height - 0.5;
+    if (!(std::abs(s) < farthest && std::abs(t) < farthest))
+        return {wrapped_texel(level, 0, 0), {}, {}};
+    const double columns = double(width(level)), rows = double(height(level));
+    const double x = s * columns - 0.5, y = t * rows - 0.5;
     const double i = std::floor(x), j = std::floor(y), u = x - i, v = y - j;
-    const Vec3d a = texel(level, i, j), b = texel(level, i + 1, j), c = texel(level, i, j + 1),
-                d = texel(level, i + 1, j + 1);
+    const Vec3d a = wrapped_texel(level, i, j), b = wrapped_texel(level, i + 1, j),
+                c = wrapped_texel(level, i, j + 1), d = wrapped_texel(level, i + 1, j + 1);
     const Vec3d low = (1.0 - u) * a + u * b, high = (1.0 - u) * c + u * d;
-    return {(1.0 - v) * low + v * high, width * ((1.0 - v) * (b - a) + v * (d - c)),
-            height * (high - low)};
+    return {(1.0 - v) * low + v * high, columns * ((1.0 - v) * (b - a) + v * (d - c)),
+            rows * (high - low)};
 }
 
 ImageSample MipImage::trilinear(double s, double t, double width) const {
     const double last = double(levels_.size() - 1);
     const double level = width > 0.0 ? last + binary_log(width) : -1.0;
     if (!(level > 0.0)) return bilinear(0, s, t);
-    if (level >= last) return {texel(levels_.size() - 1, 0, 0), {}, {}};
+    if (level >= last) return {wrapped_texel(levels_.size() - 1, 0, 0), {}, {}};
     const double below = std::floor(level);
     return blend(bilinear(std::size_t(below), s, t), bilinear(std::size_t(below) + 1, s, t),
                  level - below);
@@ -220,7 +243,7 @@ ImageSample MipImage::ewa(double s, double t, Vec2d first, Vec2d second, double 
     if (glm::dot(first, first) < glm::dot(second, second)) std::swap(first, second);
     const double longer = glm::length(first);
     double shorter = glm::length(second);
-    if (!(longer < farthest)) return {texel(levels_.size() - 1, 0, 0), {}, {}};
+    if (!(longer < farthest)) return {wrapped_texel(levels_.size() - 1, 0, 0), {}, {}};
     if (shorter * anisotropy < longer && shorter > 0.0) {
         second *= longer / (shorter * anisotropy);
         shorter = longer / anisotropy;
@@ -228,7 +251,7 @@ ImageSample MipImage::ewa(double s, double t, Vec2d first, Vec2d second, double 
     if (!(shorter > 0.0)) return trilinear(s, t, longer / anisotropy);
     const double last = double(levels_.size() - 1);
     const double level = std::max(0.0, last + binary_log(shorter));
-    if (level >= last) return {texel(levels_.size() - 1, 0, 0), {}, {}};
+    if (level >= last) return {wrapped_texel(levels_.size() - 1, 0, 0), {}, {}};
     const double below = std::floor(level);
     return blend(ellipse(std::size_t(below), s, t, first, second),
                  ellipse(std::size_t(below) + 1, s, t, first, second), level - below);
@@ -236,8 +259,9 @@ ImageSample MipImage::ewa(double s, double t, Vec2d first, Vec2d second, double 
 
 ImageSample MipImage::ellipse(std::size_t level, double s, double t, const Vec2d& first,
                               const Vec2d& second) const {
-    if (!(std::abs(s) < farthest && std::abs(t) < farthest)) return {texel(level, 0, 0), {}, {}};
-    const Vec2d size(double(levels_[level].width()), double(levels_[level].height()));
+    if (!(std::abs(s) < farthest && std::abs(t) < farthest))
+        return {wrapped_texel(level, 0, 0), {}, {}};
+    const Vec2d size(double(width(level)), double(height(level)));
     const double x = s * size.x - 0.5, y = t * size.y - 0.5;
     const Vec2d p = first * size, q = second * size;
     // r^2 = a dx^2 + b dx dy + c dy^2, which is 1 on the ellipse of the two steps, one texel wider.
@@ -260,7 +284,7 @@ ImageSample MipImage::ellipse(std::size_t level, double s, double t, const Vec2d
             const double gauss = binary_power(falloff * r2), weight = gauss - end;
             const double by_x = 2.0 * gauss * (2.0 * a * dx + b * dy),
                          by_y = 2.0 * gauss * (b * dx + 2.0 * c * dy);
-            const Vec3d color = texel(level, i, j);
+            const Vec3d color = wrapped_texel(level, i, j);
             sum.color += weight * color;
             sum.by_s += by_x * color;
             sum.by_t += by_y * color;

@@ -2,6 +2,11 @@
 // An image as a texture: a MIP map (Williams 1983) that is looked up between levels, trilinearly or
 // by an elliptically weighted average (Heckbert 1989), as in pbrt's image texture (Chuang's slides
 // of 2008). Look-ups are in float64 from float texels, with derivatives.
+//
+// The finest level of an opaque image whose sides are powers of two is its 8-bit codes, decoded at
+// every look-up: floats would have the same values and be four times as large, 7 bytes a texel with
+// all levels in place of 16.
+#include <array>
 #include <vector>
 
 #include "atlas/base/image.h"
@@ -33,7 +38,19 @@ class MipImage {
     const MipImage* alpha() const { return alpha_.empty() ? nullptr : &alpha_.front(); }
 
     ImageWrap wrap() const { return wrap_; }
-    const std::vector<Image<RgbF>>& levels() const { return levels_; }
+    std::size_t level_count() const { return levels_.size(); }
+    std::size_t width(std::size_t level) const {
+        return level == 0 && has_codes() ? codes_.width() : levels_[level].width();
+    }
+    std::size_t height(std::size_t level) const {
+        return level == 0 && has_codes() ? codes_.height() : levels_[level].height();
+    }
+    /// The texel of a level, 0 <= x < width(level), 0 <= y < height(level).
+    RgbF texel(std::size_t level, std::size_t x, std::size_t y) const {
+        if (level > 0 || !has_codes()) return levels_[level](x, y);
+        const Rgb8 code = codes_(x, y);
+        return {linear_[code.r], linear_[code.g], linear_[code.b]};
+    }
 
     /// Bilinear interpolation within a level.
     ImageSample bilinear(std::size_t level, double s, double t) const;
@@ -51,13 +68,17 @@ class MipImage {
 
   private:
     MipImage(Image<RgbF> finest, ImageWrap wrap);
-    Vec3d texel(std::size_t level, double x, double y) const;
+    bool has_codes() const { return codes_.width() > 0; }
+    void add_levels();
+    Vec3d wrapped_texel(std::size_t level, double x, double y) const;
     ImageSample ellipse(std::size_t level, double s, double t, const Vec2d& first,
                         const Vec2d& second) const;
 
     ImageWrap wrap_;
-    std::vector<Image<RgbF>> levels_;
-    std::vector<MipImage> alpha_;  ///< one map of an image that is transparent, else none
+    Image<Rgb8> codes_{};              ///< level 0 of an image that needs no floats, else empty
+    std::array<float, 256> linear_{};  ///< linear light of each code
+    std::vector<Image<RgbF>> levels_;  ///< the first is empty where there are codes
+    std::vector<MipImage> alpha_;      ///< one map of an image that is transparent, else none
 };
 
 }  // namespace burl

@@ -110,7 +110,7 @@ GlslDuals::Names GlslDuals::step(const MarbleColors& colors) {
 
 GlslDuals::Names GlslDuals::step(const ImageColors& image) {
     const std::string at = fmt::format("{}, {}, {}.x, {}.x", functions_.image(image.pixels),
-                                       image.pixels->levels().size(), in(0), in(1));
+                                       image.pixels->level_count(), in(0), in(1));
     const auto moved = [&](char step) {
         return fmt::format("real2({}, {})", along(in(0), step), along(in(1), step));
     };

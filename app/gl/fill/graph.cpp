@@ -77,12 +77,15 @@ std::string GlGraphPass::problem(const TextureGraph& graph, const Filter& filter
 const GlTexture& GlGraphPass::image_texture(const std::shared_ptr<const MipImage>& pixels) {
     for (const KeptImage& kept : images_)
         if (kept.pixels == pixels) return kept.texture;
-    const std::vector<Image<RgbF>>& levels = pixels->levels();
     std::vector<Vec4f> texels;
-    for (std::size_t k = 0; k < levels.size(); ++k) {
+    for (std::size_t k = 0; k < pixels->level_count(); ++k) {
+        const GlSize size(int(pixels->width(k)), int(pixels->height(k)));
         texels.clear();
-        for (const RgbF& c : levels[k].pixels()) texels.emplace_back(c.r, c.g, c.b, 1.0f);
-        const GlSize size(int(levels[k].width()), int(levels[k].height()));
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const RgbF c = pixels->texel(k, std::size_t(x), std::size_t(y));
+                texels.emplace_back(c.r, c.g, c.b, 1.0f);
+            }
         if (k == 0)
             images_.push_back({pixels, make_texture<Vec4f>(*gl_, GL_RGBA32F, size,
                                                            std::span<const Vec4f>(texels))});
@@ -90,7 +93,7 @@ const GlTexture& GlGraphPass::image_texture(const std::shared_ptr<const MipImage
             gl_->TexImage2D(GL_TEXTURE_2D, GLint(k), GL_RGBA32F, size.x, size.y, 0, GL_RGBA,
                             GL_FLOAT, texels.data());
     }
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(levels.size()) - 1);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(pixels->level_count()) - 1);
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     check_gl(*gl_, "making an image's levels");
     return images_.back().texture;

@@ -12,19 +12,31 @@
 #include "app/base/sha256.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/named_files.h"
 #include "procedural/color/mip_image.h"
 
 namespace burl {
 
-/// The largest side of an image, in pixels; a MIP pyramid of this side takes 1 GB.
-inline constexpr std::size_t largest_image_side = 8192;
-/// The bound on the texels of all images of a recipe together, sides rounded up to powers of two as
-/// MIP pyramids have them.
-inline constexpr std::uint64_t most_image_texels = 2 * largest_image_side * largest_image_side;
+/// What a recipe's images may be.
+struct ImageLimits {
+    /// Where they may lie: without leave anywhere, for the caller's own recipes.
+    NamedFiles named = NamedFiles::anywhere;
+    /// The largest side of an image, in pixels. A MIP pyramid of 8192 x 8192 takes 0.5 GB, and 1 GB
+    /// where its image is transparent or has sides that are no powers of two.
+    std::size_t side = 8192;
+
+    /// The most texels of all images of a recipe together, sides rounded up to powers of two as MIP
+    /// pyramids have them.
+    std::uint64_t texels() const { return 2 * std::uint64_t(side) * side; }
+};
 
 /// A cache of decoded images, keyed by real path and wrap mode.
 class RecipeImages {
   public:
+    explicit RecipeImages(const ImageLimits& asked = {}) : limits(asked) {}
+
+    ImageLimits limits;
+
     /// The MIP pyramid of a PNG file. Throws Error as read_png does.
     std::shared_ptr<const MipImage> pyramid(const std::string& path, ImageWrap wrap);
 

@@ -27,25 +27,27 @@ namespace {
 /// Adds up the sizes that one recipe's images declare, before any is decoded.
 class DeclaredImages {
   public:
+    explicit DeclaredImages(const ImageLimits& limits) : limits_(limits) {}
     /// Throws Error(invalid_file) for what is too large, by itself or with those before it.
     void add(const std::string& path, ImageWrap wrap) {
         if (!seen_.insert({real_path(path), wrap}).second) return;
         const PngSize size = picture_size(path);
-        if (std::max(size.width, size.height) > largest_image_side)
+        if (std::max(size.width, size.height) > limits_.side)
             throw invalid_file(path, 0,
                                fmt::format("the image has {} x {} pixels; textures take at most {} "
-                                           "a side, so scale it down",
-                                           size.width, size.height, largest_image_side));
+                                           "a side, so scale it down or raise --max-image",
+                                           size.width, size.height, limits_.side));
         texels_ += std::uint64_t{std::bit_ceil(size.width)} * std::bit_ceil(size.height);
-        if (texels_ > most_image_texels)
+        if (texels_ > limits_.texels())
             throw invalid_file(path, 0,
                                fmt::format("with this image the recipe's images have {} pixels "
                                            "together, their sides rounded up to powers of two, but "
                                            "{} is the most; scale some of them down",
-                                           texels_, most_image_texels));
+                                           texels_, limits_.texels()));
     }
 
   private:
+    const ImageLimits& limits_;
     std::set<std::pair<std::string, ImageWrap>> seen_;
     std::uint64_t texels_ = 0;
 };
@@ -111,10 +113,12 @@ Recipe read_recipe(const Json& tree, const std::string& origin, RecipeImages& im
                    const Recipe& known) {
     const auto path_of = [folder = std::filesystem::path(origin).parent_path()](
                              const std::string& file) { return (folder / file).string(); };
-    DeclaredImages declared;
+    DeclaredImages declared(images.limits);
     std::set<const MipImage*> blank;
     Recipe recipe = recipe_from_json(tree, [&](const std::string& file, ImageWrap wrap) {
         if (auto pixels = known_image(known, file, wrap)) return pixels;
+        if (images.limits.named == NamedFiles::below && !lies_below(origin, file))
+            throw invalid_file(origin, 0, fmt::format("the image {} {}", file, outside_rule));
         declared.add(path_of(file), wrap);
         auto pixels = blank_image(wrap);
         blank.insert(pixels.get());

@@ -10,6 +10,7 @@
 #include "app/bake/batch_manifest.h"
 #include "app/bake/batch_matrix.h"
 #include "app/bake/batch_schedule.h"
+#include "app/options/input_limits.h"
 #include "atlas/base/error.h"
 #include "tests/app/support/scratch_folder.h"
 
@@ -156,12 +157,12 @@ TEST(JobQueue, OneWorkerKeepsTheOrder) {
 }
 
 TEST(JobQueue, SizesOfMemory) {
-    EXPECT_EQ(memory_size("4G"), std::uint64_t(4) << 30U);
-    EXPECT_EQ(memory_size("1.5M"), 3u << 19U);
-    EXPECT_EQ(memory_size("512"), 512u << 20U);
-    EXPECT_EQ(memory_size("64K"), 65536u);
+    EXPECT_EQ(memory_size("--memory", "4G"), std::uint64_t(4) << 30U);
+    EXPECT_EQ(memory_size("--memory", "1.5M"), 3u << 19U);
+    EXPECT_EQ(memory_size("--memory", "512"), 512u << 20U);
+    EXPECT_EQ(memory_size("--memory", "64K"), 65536u);
     for (const char* text : {"", "G", "-1G", "4T", "nan", "4 G", "0"})
-        EXPECT_THROW(memory_size(text), Error) << text;
+        EXPECT_THROW(memory_size("--memory", text), Error) << text;
 }
 
 }  // namespace
