@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -14,8 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The absolute path; the path as it is where the working directory is gone.
 fs::path plain_path(const std::string& file) {
-    return fs::absolute(file).lexically_normal();
+    std::error_code gone;
+    const fs::path absolute = fs::absolute(file, gone);
+    return (gone ? fs::path(file) : absolute).lexically_normal();
 }
 
 /// The path of a file relative to the output's folder, so that a folder may be moved as a whole.

@@ -2,14 +2,9 @@
 #include "app/base/atomic_file.h"
 
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <mutex>
-#include <set>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include <fcntl.h>
@@ -18,12 +13,15 @@
 #include <unistd.h>
 
 #include "app/base/real_path.h"
+#include "app/base/temporary_names.h"
 #include "atlas/base/error.h"
 
 namespace burl {
 namespace {
 
 constexpr std::size_t buffer_size = 1u << 18;
+/// Left-overs of one name that are looked for at a time.
+constexpr int most_left_overs = 16;
 
 Error write_error(const std::string& target, int code) {
     return Error(ExitCode::io, fmt::format("{}: cannot be written: {}", target,
@@ -50,10 +48,10 @@ void lock_for_this_run(int descriptor) {
     }
 }
 
-/// Removes the temporary file of a run that was killed.
-void remove_left_over(const std::string& name) {
+/// Removes the temporary file of a run that was killed; whether there is a file of that name.
+bool remove_left_over(const std::string& name) {
     const int descriptor = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (descriptor < 0) return;
+    if (descriptor < 0) return false;
     struct stat locked {
     }, named{};
     // The name may have been given to another file before the lock was taken.
@@ -62,7 +60,27 @@ void remove_left_over(const std::string& name) {
         S_ISREG(named.st_mode))
         ::unlink(name.c_str());
     ::close(descriptor);
+    return true;
 }
+
+/// The turn of one of several runs that give names in a folder at a time: their groups of files do
+/// not mix. Nobody waits longer than two seconds, for others may lock folders, too.
+class Turn {
+  public:
+    explicit Turn(const std::string& folder)
+        : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        for (int i = 0; i < 1000 && folder_ >= 0 && ::flock(folder_, LOCK_EX | LOCK_NB) != 0; ++i)
+            ::usleep(2000);
+    }
+    ~Turn() {
+        if (folder_ >= 0) ::close(folder_);
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+  private:
+    int folder_;
+};
 
 /// Whether another run took the file for a left-over and removed it before it was locked.
 bool was_removed(int descriptor) {
@@ -83,30 +101,6 @@ int open_nameless(const std::string& folder) {
     return -1;
 }
 
-/// The names of this process's temporary files that exist. The mutex is held while names are given
-/// or removed.
-struct TemporaryNames {
-    std::mutex mutex;
-    std::set<std::string> names;
-};
-
-/// The process's only list; never destroyed, since a signal may arrive during exit.
-TemporaryNames& temporary_names() {
-    static auto* const all = new TemporaryNames;
-    return *all;
-}
-
-/// Ends the program by the signal's default action once all temporary files are removed. The mutex
-/// stays locked, so that no file gets a name any more.
-[[noreturn]] void end_by_signal(int signal, const sigset_t& signals) {
-    temporary_names().mutex.lock();
-    for (const std::string& name : temporary_names().names) ::unlink(name.c_str());
-    std::signal(signal, SIG_DFL);
-    ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
-    std::raise(signal);
-    std::_Exit(128 + signal);  // the first process of a container ignores what it does not handle
-}
-
 CommittedFile state_from(const std::string& path, const struct stat& status) {
     return {path, std::uint64_t(status.st_size), status.st_ino, status.st_mtim.tv_sec,
             status.st_mtim.tv_nsec};
@@ -123,20 +117,20 @@ std::optional<CommittedFile> file_there(const std::string& path) {
 AtomicFile::AtomicFile(const std::string& target, Temporary kind)
     : target_(target), real_path_(follow_links(target)) {
     struct stat status {};
-    replaces_ = ::stat(real_path_.c_str(), &status) == 0;
-    if (!replaces_ && errno == ELOOP) throw write_error(target_, ELOOP);
-    if (replaces_ && S_ISDIR(status.st_mode)) throw write_error(target_, EISDIR);
-    if (replaces_ && !S_ISREG(status.st_mode)) {
+    const bool replaces = ::stat(real_path_.c_str(), &status) == 0;
+    if (!replaces && errno == ELOOP) throw write_error(target_, ELOOP);
+    if (replaces && S_ISDIR(status.st_mode)) throw write_error(target_, EISDIR);
+    if (replaces && !S_ISREG(status.st_mode)) {
         throw Error(ExitCode::io, fmt::format("{}: is not a regular file", target_));
     }
     if (kind == Temporary::nameless) descriptor_ = open_nameless(folder_of(real_path_));
     if (descriptor_ >= 0) {
         lock_for_this_run(descriptor_);
     } else {
-        const std::scoped_lock lock(temporary_names().mutex);
-        take_name();
+        TemporaryNames names;
+        take_name(names);
     }
-    if (replaces_) ::fchmod(descriptor_, status.st_mode & 07777);
+    if (replaces) ::fchmod(descriptor_, status.st_mode & 07777);
     buffer_.reserve(buffer_size);
 }
 
@@ -148,23 +142,23 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : target_(std::move(other.target_)),
       real_path_(std::move(other.real_path_)),
       temporary_(std::exchange(other.temporary_, {})),
+      handle_(std::move(other.handle_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
-      replaces_(other.replaces_),
+      old_(std::exchange(other.old_, -1)),
+      place_(other.place_),
       finished_(other.finished_),
       buffer_(std::move(other.buffer_)) {}
 
 void AtomicFile::discard() noexcept {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = -1;
+    for (int* const open : {&descriptor_, &old_})
+        if (*open >= 0) ::close(std::exchange(*open, -1));
     if (temporary_.empty()) return;
-    const std::scoped_lock lock(temporary_names().mutex);
-    ::unlink(temporary_.c_str());
-    temporary_names().names.erase(temporary_);
-    temporary_.clear();
+    TemporaryNames names;
+    remove_temporary(names);
 }
 
 /// Gives the nameless file a temporary name, or opens a new named one when there is none.
-void AtomicFile::take_name() {
+void AtomicFile::take_name(TemporaryNames& names) {
     const std::string handle = handle_path(descriptor_);
     const bool nameless = descriptor_ >= 0;
     int result = -1;
@@ -185,7 +179,7 @@ void AtomicFile::take_name() {
             continue;
         }
         temporary_ = name;
-        temporary_names().names.insert(name);
+        names.add(name);
         return;
     }
     throw write_error(target_, errno);
@@ -247,22 +241,60 @@ void AtomicFile::finish() {
 
 /// Gives a nameless file a temporary name where the target exists: only rename() replaces a file,
 /// and it needs a name.
-void AtomicFile::name_beside_old() {
-    remove_left_over(temporary_name(real_path_, 0));
-    if (temporary_.empty() && ::access(real_path_.c_str(), F_OK) == 0) take_name();
+void AtomicFile::name_beside_old(TemporaryNames& names) {
+    for (int attempt = 0; attempt < most_left_overs; ++attempt)
+        if (!remove_left_over(temporary_name(real_path_, attempt))) break;
+    handle_ = handle_path(descriptor_);
+    if (temporary_.empty() && ::access(real_path_.c_str(), F_OK) == 0) take_name(names);
 }
 
-/// Gives the finished file the target's name.
-void AtomicFile::take_place() {
+/// Exchanges the finished file with the target, so that it can be given back; whether that was
+/// possible. The old file is locked, for another run would take it for a left-over.
+bool AtomicFile::exchange() {
+    old_ = ::open(real_path_.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (old_ >= 0 && ::flock(old_, LOCK_EX | LOCK_NB) == 0 &&
+        ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, real_path_.c_str(), RENAME_EXCHANGE) ==
+            0)
+        return true;
+    if (old_ >= 0) ::close(std::exchange(old_, -1));
+    return false;
+}
+
+/// Gives the finished file the target's name. `one_of_many` says that it may have to be given back.
+/// Needs no memory but where another process makes the target at this moment.
+void AtomicFile::take_place(TemporaryNames& names, bool one_of_many) {
     if (temporary_.empty()) {
-        if (::linkat(AT_FDCWD, handle_path(descriptor_).c_str(), AT_FDCWD, real_path_.c_str(),
-                     AT_SYMLINK_FOLLOW) == 0)
+        if (::linkat(AT_FDCWD, handle_.c_str(), AT_FDCWD, real_path_.c_str(), AT_SYMLINK_FOLLOW) ==
+            0) {
+            place_ = Place::linked;
             return;
+        }
         if (errno != EEXIST) throw write_error(target_, errno);
-        take_name();  // another process created the target meanwhile
+        take_name(names);  // another process created the target meanwhile
+    }
+    if (one_of_many && exchange()) {
+        place_ = Place::exchanged;
+        return;
     }
     if (std::rename(temporary_.c_str(), real_path_.c_str()) != 0) throw write_error(target_, errno);
-    temporary_names().names.erase(std::exchange(temporary_, {}));
+    names.remove(temporary_);
+    temporary_.clear();
+    place_ = Place::replaced;
+}
+
+/// Undoes take_place() as far as it can be undone. Needs no memory.
+void AtomicFile::give_back_place() noexcept {
+    if (place_ == Place::linked) ::unlink(real_path_.c_str());
+    if (place_ == Place::exchanged)
+        ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, real_path_.c_str(), RENAME_EXCHANGE);
+}
+
+/// Removes the file of the temporary name, if there is one.
+void AtomicFile::remove_temporary(TemporaryNames& names) noexcept {
+    if (temporary_.empty()) return;
+    ::unlink(temporary_.c_str());
+    names.remove(temporary_);
+    temporary_.clear();
 }
 
 CommittedFile AtomicFile::committed() const {
@@ -279,22 +311,39 @@ ByteSink sink_of(AtomicFile& file) {
     return [&file](std::span<const std::uint8_t> bytes) { file.write(bytes); };
 }
 
+/// Those of the files that have taken their places; without done() they give them back.
+class AtomicFile::Placed {
+  public:
+    Placed(std::span<AtomicFile> files, TemporaryNames& names) : files_(files), names_(names) {}
+    ~Placed() {
+        while (count_ > 0) files_[--count_].give_back_place();
+    }
+    Placed(const Placed&) = delete;
+    Placed& operator=(const Placed&) = delete;
+    void place_all() {
+        for (AtomicFile& file : files_) {
+            file.take_place(names_, files_.size() > 1);
+            ++count_;
+        }
+        for (AtomicFile& file : files_) file.remove_temporary(names_);  // the old files
+        count_ = 0;
+    }
+
+  private:
+    std::span<AtomicFile> files_;
+    TemporaryNames& names_;
+    std::size_t count_ = 0;
+};
+
 std::vector<CommittedFile> commit_together(std::span<AtomicFile> files) {
     for (AtomicFile& file : files) file.finish();
     std::vector<CommittedFile> committed;
     for (const AtomicFile& file : files) committed.push_back(file.committed());
-    const std::scoped_lock lock(temporary_names().mutex);
-    for (AtomicFile& file : files) file.name_beside_old();
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        try {
-            files[i].take_place();
-        } catch (...) {
-            for (std::size_t j = 0; j < i; ++j) {
-                if (!files[j].replaces_) ::unlink(files[j].real_path_.c_str());
-            }
-            throw;
-        }
-    }
+    if (files.empty()) return committed;
+    const Turn turn(folder_of(files.back().real_path_));
+    TemporaryNames names;
+    for (AtomicFile& file : files) file.name_beside_old(names);
+    AtomicFile::Placed(files, names).place_all();
     return committed;
 }
 
@@ -304,27 +353,6 @@ void make_folder(const std::string& folder) {
     if (!error && std::filesystem::is_directory(folder)) return;
     throw Error(ExitCode::io, fmt::format("{}: cannot make this folder: {}", folder,
                                           error ? error.message() : "it is a file"));
-}
-
-void clean_up_on_signals() {
-    sigset_t signals;
-    ::sigemptyset(&signals);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        struct sigaction now {};
-        ::sigaction(signal, nullptr, &now);
-        if (now.sa_handler == SIG_DFL) ::sigaddset(&signals, signal);
-    }
-    ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    try {
-        std::thread([signals] {
-            int signal = 0;
-            while (::sigwait(&signals, &signal) != 0) {
-            }
-            end_by_signal(signal, signals);
-        }).detach();
-    } catch (const std::system_error&) {  // without a thread signals end the program at once
-        ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
-    }
 }
 
 CommittedFile write_file(const std::string& path, std::span<const std::uint8_t> bytes) {

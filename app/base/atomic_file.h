@@ -2,11 +2,13 @@
 // Output files that are either whole or absent. The bytes go into a nameless file of the target's
 // folder (O_TMPFILE). Once all files of a group are complete and synced to disk, they get their
 // names together: a new target is linked, an existing one is replaced by renaming a temporary name
-// over it. A run that fails, is interrupted or killed leaves the old file or none. Only a run that
-// is killed (SIGKILL, SIGQUIT, a crash, power) within the microseconds between two names may leave
-// ".NAME.N.burl-tmp" behind; N is 0 unless several runs write NAME at the same time. The next run
-// that writes NAME removes a left-over with N = 0, and one with another N when it needs that name
-// itself. On file systems without nameless files the temporary name is used from the start.
+// over it. A run that fails, is interrupted or killed leaves the old file or none. Of several files
+// the old ones are kept until all have their names, so that they come back where one name cannot be
+// given (on file systems that can exchange files). Only a run that is killed (SIGKILL, SIGQUIT, a
+// crash, power) within the microseconds between two names may leave ".NAME.N.burl-tmp" behind, N
+// being 0, or more where several runs write NAME at the same time on a file system without nameless
+// files, where the temporary name is used from the start. The next run that writes NAME removes
+// them.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -35,6 +37,8 @@ struct CommittedFile {
 
 /// The state of the file at the path; no value where there is none.
 std::optional<CommittedFile> file_there(const std::string& path);
+
+class TemporaryNames;
 
 class AtomicFile {
   public:
@@ -70,17 +74,24 @@ class AtomicFile {
     void write_through(std::span<const std::uint8_t> bytes);
     template <class WriteSome>
     void write_whole(std::span<const std::uint8_t> bytes, const WriteSome& write_some);
-    void take_name();
-    void name_beside_old();
-    void take_place();
+    enum class Place { none, linked, exchanged, replaced };
+    class Placed;
+    void take_name(TemporaryNames& names);
+    void name_beside_old(TemporaryNames& names);
+    bool exchange();
+    void take_place(TemporaryNames& names, bool one_of_many);
+    void give_back_place() noexcept;
+    void remove_temporary(TemporaryNames& names) noexcept;
     CommittedFile committed() const;
     void discard() noexcept;
 
     std::string target_;     // the path as the user gave it, for messages
     std::string real_path_;  // the target with symbolic links followed
     std::string temporary_;  // the temporary file's path; empty while it is nameless
+    std::string handle_;     // the path of the nameless file in /proc, from the commit on
     int descriptor_ = -1;
-    bool replaces_ = false;  // whether the target existed before
+    int old_ = -1;  // the target that was exchanged for this file
+    Place place_ = Place::none;
     bool finished_ = false;
     std::vector<std::uint8_t> buffer_;
 };
@@ -91,7 +102,8 @@ ByteSink sink_of(AtomicFile& file);
 
 /// Commits files that only make sense together (.obj, .mtl, .png): all are finished before the
 /// first gets its name, in the order given, so put the one that names the others last. When one
-/// fails, files that did not exist before are removed again. Throws Error(io).
+/// fails, new files are removed again and old ones come back. Groups of several runs with one last
+/// folder do not mix. Throws Error(io).
 std::vector<CommittedFile> commit_together(std::span<AtomicFile> files);
 
 /// Writes one file, whole or not at all. Throws Error(io).

@@ -21,6 +21,7 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
+#include "app/base/out_of_memory.h"
 #include "app/base/version.h"
 #include "app/main/verbs.h"
 #include "atlas/base/error.h"
@@ -169,6 +170,7 @@ int main(int argc, char** argv) {
     // files and messages; without SIGXFSZ a file-size limit is a write error, too.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    burl::end_where_memory_ends();
     burl::clean_up_on_signals();
     return code_with_results(run(argc, argv));
 }

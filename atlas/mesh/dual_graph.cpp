@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <mutex>
+#include <new>
 
 #include <metis.h>
 
@@ -62,7 +63,8 @@ class MutedStdout {
 };
 
 /// The part of each node by `partitioner`, one of METIS's, which all take the same arguments; part
-/// 0 for all nodes where there is nothing to divide or METIS fails.
+/// 0 for all nodes where there is nothing to divide or METIS fails. Throws std::bad_alloc where
+/// METIS runs out of memory, after lines of its own on stderr.
 std::vector<std::uint32_t> parts_of(const DualGraph& graph, std::uint32_t parts, int seed,
                                     decltype(&METIS_PartGraphKway) partitioner) {
     std::vector<std::uint32_t> result(graph.nodes(), 0);
@@ -81,6 +83,7 @@ std::vector<std::uint32_t> parts_of(const DualGraph& graph, std::uint32_t parts,
     const int status = partitioner(&nodes, &constraints, copy.begin.data(), copy.targets.data(),
                                    copy.node_weights.data(), nullptr, copy.edge_weights.data(),
                                    &count, nullptr, nullptr, options.data(), &cut, part.data());
+    if (status == METIS_ERROR_MEMORY) throw std::bad_alloc();
     if (status != METIS_OK) return result;
     for (std::size_t i = 0; i < part.size(); ++i) result[i] = static_cast<std::uint32_t>(part[i]);
     return result;

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Bakes that run out of memory: memory.py BURL LIBRARY FOLDER
+Every allocation of a small bake is the last one that succeeds, or fails alone; so does every block of 64 KiB and more of larger
+bakes. Unless BURL_ALL_FAULTS is set, about 150 of the first, and fewer formats."""
+import os, sys
+
+from common import EVERY, Burl, Outcome, Report, Stage, contents, problem
+
+SMALL = ["sample:cube", "--size", "16", "--threads", "1"]
+LARGE = ["sample:teapot", "--size", "128", "--threads", "1"]
+FORMATS = ["glb", "png", "webp", "jpg", "ktx2", "exr", "obj", "gltf", "ply", "mtlx", "stl"]
+
+
+def every_one(burl, report, action, step):
+    """Tries every step-th allocation in one run that forks at each."""
+    stage = Stage(burl, f"{action}-{step}", SMALL, "x.glb")
+    results = stage.place / "results"
+    results.mkdir()
+    stage.reset()
+    burl.run([*stage.words, "--recipe", "marble"], stage.place, calls="memory,large", action=action,
+             fork=f"1:{step}:{stage.out}:{results}")
+    for line in (results / "log").read_text(errors="backslashreplace").splitlines():
+        number, status, changed, err = line.split("\t")
+        code = os.waitstatus_to_exitcode(int(status))
+        found = contents(results / number) if changed == "1" else stage.old
+        wrong = problem(Outcome(code, err.replace("\\n", "\n")), found, stage.old, stage.new, (4,))
+        report.add(f"{action} at allocation {number}", wrong)
+
+
+def large_blocks(burl, report, ending):
+    """Tries every large block of a bake: alone, and with all after it."""
+    stage = Stage(burl, f"large-{ending}", LARGE, f"x.{ending}")
+    for number in range(1, stage.count("large") + 1, 1 if EVERY else 4):
+        for action in ("fail", "fail-on"):
+            wrong, _ = stage.run(calls="large", at=number, action=action, codes=(2, 4))
+            report.add(f"{ending}: {action} at large block {number}", wrong)
+
+
+def main():
+    burl, report = Burl(*sys.argv[1:4]), Report()
+    count = Stage(burl, "count", SMALL, "x.glb").count("memory,large")
+    print(f"{count} allocations")
+    every_one(burl, report, "fail-on", 1 if EVERY else count // 150)
+    every_one(burl, report, "fail", 1 if EVERY else count // 50)
+    for ending in FORMATS if EVERY else ["glb"]: large_blocks(burl, report, ending)
+    return report.end("memory")
+
+
+sys.exit(main())
