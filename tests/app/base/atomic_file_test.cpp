@@ -212,6 +212,34 @@ TEST(AtomicFile, AGroupWhoseRenameFailsLeavesNoNewFile) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
+TEST(AtomicFile, AGroupWhoseRenameFailsGivesOldFilesBack) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "a.png") << "old picture";
+    {
+        std::vector<AtomicFile> group;
+        for (const char* name : {"a.png", "a.mtl", "a.obj"}) group.emplace_back(folder / name);
+        group[0].write("new picture");
+        std::filesystem::create_directory(folder / "a.obj");  // appears while we work
+        EXPECT_NE(io_message([&] { commit_together(group); }).find("a.obj"), std::string::npos);
+    }
+    EXPECT_EQ(content(folder / "a.png"), "old picture");
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.mtl"));
+    EXPECT_EQ(folder.entries(), 2u);
+}
+
+TEST(AtomicFile, AGroupThatReplacesFilesLeavesNothingElse) {
+    const ScratchFolder folder;
+    for (const char* name : {"a.png", "a.obj"}) std::ofstream(folder / name) << "old";
+    for (const char* text : {"new", "newer"}) {
+        std::vector<AtomicFile> group;
+        for (const char* name : {"a.png", "a.obj"}) group.emplace_back(folder / name).write(text);
+        const std::vector<CommittedFile> committed = commit_together(group);
+        EXPECT_EQ(file_there(folder / "a.obj"), committed[1]);
+        for (const char* name : {"a.png", "a.obj"}) EXPECT_EQ(content(folder / name), text);
+        EXPECT_EQ(folder.entries(), 2u);
+    }
+}
+
 TEST(AtomicFile, AFileMadeMeanwhileIsReplaced) {
     const ScratchFolder folder;
     AtomicFile file(folder / "out.txt");
