@@ -17,8 +17,9 @@ def every_one(burl, report, action, step):
     results = stage.place / "results"
     results.mkdir()
     stage.reset()
-    burl.run([*stage.words, "--recipe", "marble"], stage.place, calls="memory,large", action=action,
-             fork=f"1:{step}:{stage.out}:{results}")
+    outcome = burl.run([*stage.words, "--recipe", "marble"], stage.place, seconds=1400, calls="memory,large", action=action,
+                       fork=f"1:{step}:{stage.out}:{results}")
+    report.add(f"{action}: the run without faults", "" if outcome.code == 0 else f"{outcome.code}: {outcome.err}")
     for line in (results / "log").read_text(errors="backslashreplace").splitlines():
         number, status, changed, err = line.split("\t")
         code = os.waitstatus_to_exitcode(int(status))
