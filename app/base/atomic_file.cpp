@@ -252,7 +252,9 @@ void AtomicFile::name_beside_old(TemporaryNames& names) {
 /// possible. The old file is locked, for another run would take it for a left-over.
 bool AtomicFile::exchange() {
     old_ = ::open(real_path_.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (old_ >= 0 && ::flock(old_, LOCK_EX | LOCK_NB) == 0 &&
+    struct stat status {};
+    const bool is_file = old_ >= 0 && ::fstat(old_, &status) == 0 && S_ISREG(status.st_mode);
+    if (is_file && ::flock(old_, LOCK_EX | LOCK_NB) == 0 &&
         ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, real_path_.c_str(), RENAME_EXCHANGE) ==
             0)
         return true;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <span>
 #include <string>
 
@@ -39,14 +40,19 @@ class ExrFileStream : public Imf::OStream {
     std::uint64_t tellp() override { return position_; }
     void seekp(std::uint64_t position) override { position_ = position; }
 
-    /// Rethrows the exception that a write has thrown, if any; to be called after the last write.
+    /// Rethrows the exception that a write has thrown, if any, and throws std::bad_alloc where rows
+    /// are missing; to be called after the last write.
     void check() const {
         if (failure_) std::rethrow_exception(failure_);
+        if (lacks_rows_) throw std::bad_alloc();
     }
 
   private:
     void write_some(std::span<const std::uint8_t> bytes) {
         const std::size_t old = std::min<std::uint64_t>(bytes.size(), end_ - position_);
+        // The offset table at the end: rows that zlib had no memory for are at 0, without an error.
+        lacks_rows_ |= old == sizeof(std::uint64_t) &&
+                       std::ranges::count(bytes.first(old), std::uint8_t(0)) == std::ptrdiff_t(old);
         if (old > 0) file_.overwrite(position_, bytes.first(old));
         if (old < bytes.size()) file_.write(bytes.subspan(old));
         position_ += bytes.size();
@@ -55,6 +61,7 @@ class ExrFileStream : public Imf::OStream {
 
     AtomicFile& file_;
     std::uint64_t position_ = 0, end_ = 0;  // position_ <= end_
+    bool lacks_rows_ = false;
     std::exception_ptr failure_;
 };
 

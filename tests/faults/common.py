@@ -29,10 +29,10 @@ class Burl:
         if faults: more["LD_PRELOAD"] = self.library
         return os.environ | more
 
-    def run(self, words, cwd=None, env=None, limits=None, stdout=subprocess.DEVNULL, **faults):
+    def run(self, words, cwd=None, env=None, limits=None, stdout=subprocess.DEVNULL, seconds=TIME_LIMIT, **faults):
         try:
             done = subprocess.run([self.program, *map(os.fspath, map(str, words))], cwd=cwd or self.folder, stdin=subprocess.DEVNULL,
-                                  stdout=stdout, stderr=subprocess.PIPE, timeout=TIME_LIMIT, preexec_fn=limits,
+                                  stdout=stdout, stderr=subprocess.PIPE, timeout=seconds, preexec_fn=limits,
                                   env=self.environment(faults) if env is None else env)
         except subprocess.TimeoutExpired:
             return Outcome(None, "it hangs")

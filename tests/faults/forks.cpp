@@ -1,8 +1,8 @@
 // Many numbers in one run: at each of them the program forks, the child's call fails, and the
 // parent waits for the child's end, writes down what became of it, puts the output folder back as
 // it was, and goes on. BURL_FAULT_FORK is FIRST:STEP:FOLDER:RESULTS. RESULTS/log gets a line
-// "number, status of waitpid, whether the folder changed, stderr", with tabs between; a folder that
-// changed is copied to RESULTS/NUMBER. The program must run on one thread.
+// "number, status of waitpid, whether the folder changed since the first, stderr", with tabs
+// between; a folder that changed is copied to RESULTS/NUMBER. The program must run on one thread.
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -121,13 +121,12 @@ std::string message_in(const fs::path& path) {
 }
 
 /// Writes down how the child ended, and puts the folder back if it changed.
-void conclude(const Plan& plan, unsigned long number, int status,
+void conclude(const Plan& plan, unsigned long number, int status, const std::vector<Entry>& first,
               const std::vector<Entry>& before) {
-    const bool changed = entries_of(plan.folder) != before;
-    if (changed) {
-        fs::copy(plan.folder, plan.results / std::to_string(number));
-        link_all(plan.results / "snapshot", plan.folder);
-    }
+    const std::vector<Entry> now = entries_of(plan.folder);
+    const bool changed = now != first;
+    if (changed) fs::copy(plan.folder, plan.results / std::to_string(number));
+    if (now != before) link_all(plan.results / "snapshot", plan.folder);
     std::ofstream(plan.results / "log", std::ios::app)
         << number << '\t' << status << '\t' << changed << '\t'
         << message_in(plan.results / "messages") << '\n';
@@ -139,6 +138,7 @@ bool tries_in_fork(unsigned long number) {
     const Bypass bypass;
     static const Plan plan;
     static std::vector<Entry> kept;
+    static const std::vector<Entry> first = entries_of(plan.folder);
     static bool has_kept = false;
     if (!plan.has(number)) return false;
     const std::vector<Entry> before = entries_of(plan.folder);
@@ -155,7 +155,7 @@ bool tries_in_fork(unsigned long number) {
     ::waitpid(child, &status, 0);
     for (const auto& [file, place] : places)
         if (place >= 0) ::lseek(file, place, SEEK_SET);
-    conclude(plan, number, status, before);
+    conclude(plan, number, status, first, before);
     return false;
 }
 
