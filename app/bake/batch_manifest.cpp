@@ -322,7 +322,9 @@ std::vector<BatchEntry> read_manifest(const std::string& path, const BatchShard&
         if (entry.is_structured()) line = entries.lines()[objects++];
         result.push_back(manifest_entry(entry, defaults, keys, fmt::format("{}:{}", path, line)));
     }
-    return bakes_of(result, {keys.folder, named}, shard);
+    // What comes on stdin is the caller's own word, as a command line is.
+    const NamedFiles leads = path == "-" ? NamedFiles::anywhere : named;
+    return bakes_of(result, {keys.folder, leads}, shard);
 }
 
 std::vector<BatchEntry> matrix_of_options(const std::vector<std::string>& meshes,

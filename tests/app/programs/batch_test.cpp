@@ -202,7 +202,7 @@ TEST_F(Batch, AnEntryKnowsItsLineWhateverStandsBeforeIt) {
 
   "bakes": [{"mesh": "sample:teapot",
              "output": "a.png"}, {
-    "mesh": "/m.obj", "output": "b.png", "threads": 1}
+    "mesh": "m.obj", "output": "b.png", "threads": 1}
   ]})");
     ASSERT_EQ(list.size(), 2u);
     EXPECT_TRUE(list[0].where.ends_with("batch.json:4: bake 1 (a.png)")) << list[0].where;

@@ -13,10 +13,10 @@ void expect_refused(const Scratch& scratch, const std::string& arguments, int co
                     const std::string& says) {
     SCOPED_TRACE(arguments);
     const Outcome outcome =
-        run_burl(scratch, fmt::format("{} -o '{}'", arguments, scratch / "a.png"));
+        run_burl(scratch, fmt::format("{} -o '{}'", arguments, scratch / "a.glb"));
     EXPECT_EQ(outcome.exit_code, code) << outcome.err;
     EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
-    EXPECT_FALSE(fs::exists(scratch / "a.png"));
+    EXPECT_FALSE(fs::exists(scratch / "a.glb"));
 }
 
 TEST(Limits, TrianglesAreCounted) {
@@ -24,7 +24,7 @@ TEST(Limits, TrianglesAreCounted) {
     const std::string bake = "bake sample:cube --size 16 --max-triangles ";
     expect_refused(scratch, bake + "11", 5, "12 triangles are more than 11 (--max-triangles)");
     expect_refused(scratch, bake + "47 --displace 1 --recipe oak", 5, "are more than 47");
-    const Outcome baked = run_burl(scratch, fmt::format("{}12 -o '{}'", bake, scratch / "a.png"));
+    const Outcome baked = run_burl(scratch, fmt::format("{}12 -o '{}'", bake, scratch / "a.glb"));
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
 }
 
@@ -35,7 +35,7 @@ TEST(Limits, SidesOfImagesAreBounded) {
         scratch.write("r.json", R"({"burl": 1, "texture": {"node": "image", "file": "i.png"}})");
     const std::string bake = fmt::format("bake sample:cube --size 16 -r '{}' --max-image ", recipe);
     expect_refused(scratch, bake + "31", 3, "32 x 8 pixels");
-    const Outcome baked = run_burl(scratch, fmt::format("{}32 -o '{}'", bake, scratch / "a.png"));
+    const Outcome baked = run_burl(scratch, fmt::format("{}32 -o '{}'", bake, scratch / "a.glb"));
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
 }
 
@@ -46,7 +46,7 @@ TEST(Limits, MemoryIsBounded) {
     expect_refused(scratch, bake + "1M --size 16", 1, "256M is the least");
     expect_refused(scratch, bake + "much --size 16", 1, "must be a size such as 512M or 4G");
     const Outcome baked =
-        run_burl(scratch, fmt::format("{}256M --size 16 -o '{}'", bake, scratch / "a.png"));
+        run_burl(scratch, fmt::format("{}256M --size 16 -o '{}'", bake, scratch / "a.glb"));
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
 }
 
