@@ -161,28 +161,30 @@ void AtomicFile::discard() noexcept {
 void AtomicFile::take_name(TemporaryNames& names) {
     const std::string handle = handle_path(descriptor_);
     const bool nameless = descriptor_ >= 0;
-    int result = -1;
-    for (int attempt = 0; attempt < 1000; ++attempt) {
-        const std::string name = temporary_name(real_path_, attempt);
-        remove_left_over(name);
+    int error = EEXIST;
+    for (int attempt = 0; attempt < 1000 && error == EEXIST; ++attempt) {
+        temporary_ = temporary_name(real_path_, attempt);
+        remove_left_over(temporary_);
+        names.add(temporary_);  // before there is such a file: whatever ends the program removes it
+        int result = -1;
         if (nameless) {
-            result = ::linkat(AT_FDCWD, handle.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
+            result =
+                ::linkat(AT_FDCWD, handle.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW);
         } else {
-            result = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
+            result = ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
             descriptor_ = result;
             if (result >= 0) lock_for_this_run(descriptor_);
         }
-        if (result < 0 && errno == EEXIST) continue;
-        if (result < 0) break;
-        if (was_removed(descriptor_)) {
+        error = result < 0 ? errno : 0;
+        if (error == 0 && was_removed(descriptor_)) {
             ::close(std::exchange(descriptor_, -1));
-            continue;
+            error = EEXIST;
         }
-        temporary_ = name;
-        names.add(name);
-        return;
+        if (error == 0) return;
+        names.remove(temporary_);
+        temporary_.clear();
     }
-    throw write_error(target_, errno);
+    throw write_error(target_, error);
 }
 
 /// Calls write_some(rest), which returns the number of bytes written, until no bytes are left.
