@@ -22,7 +22,7 @@
 
 namespace faults {
 
-/// What a call is to do.
+/// The fate of a call.
 enum class Verdict { pass, fail, cut };
 
 /// Counts a call of this name and says what it is to do; acts where its number has come. errno is

@@ -43,7 +43,7 @@ struct Plan {
     bool has(unsigned long number) const { return number >= first && (number - first) % step == 0; }
 };
 
-/// What tells a file from another one of its name.
+/// The identity of a file, which another one of its name does not share.
 struct Entry {
     std::string name;
     ino_t inode = 0;

@@ -17,7 +17,7 @@
 
 namespace burl {
 
-/// What a recipe's images may be.
+/// The bounds of a recipe's images.
 struct ImageLimits {
     /// Where they may lie: without leave anywhere, for the caller's own recipes.
     NamedFiles named = NamedFiles::anywhere;
