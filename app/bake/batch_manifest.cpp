@@ -77,7 +77,7 @@ struct PathRule {
 
     /// The path from the folder on. Throws Error(invalid_file) for one that may not be.
     std::string operator()(const std::string& path) const {
-        if (named == NamedFiles::below && !lies_below((folder / "").string(), path))
+        if (!may_name(named, (folder / "").string(), path))
             throw Error(ExitCode::invalid_file, fmt::format("{} {}", path, outside_rule));
         return (folder / path).string();
     }

@@ -103,7 +103,7 @@ std::string KeptDocument::file_of(const std::string& uri) const {
     const std::string name = is_data_uri(uri) ? "" : confined_file_name(uri, named_);
     if (name.empty()) return {};
     const std::string folder = (std::filesystem::path(folder_) / "").string();
-    if (named_ == NamedFiles::below && !lies_below(folder, name)) return {};
+    if (!may_name(named_, folder, name)) return {};
     return folder + name;
 }
 

@@ -105,8 +105,7 @@ PictureColors GltfTextures::image(int number) const {
     const tinygltf::Image& image = model_.images[std::size_t(number)];
     if (image.image.empty()) {
         const std::string name = confined_file_name(image.uri, named_);
-        const bool lies_out =
-            !name.empty() && named_ == NamedFiles::below && !lies_below(path_, name);
+        const bool lies_out = !name.empty() && !may_name(named_, path_, name);
         throw Error(ExitCode::io,
                     fmt::format("{}: the texture '{}' {}", path_, printable(image.uri),
                                 name.empty() ? confined_rule

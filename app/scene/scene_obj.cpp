@@ -154,7 +154,7 @@ std::vector<std::optional<ObjMaterial>> find_looks(const std::string& path, cons
     std::vector<std::optional<ObjMaterial>> looks(use.names.size());
     if (use.library.empty() || use.names.empty()) return looks;
     const auto library = std::filesystem::path(path).parent_path() / use.library;
-    if (named == NamedFiles::below && !lies_below(path, use.library)) {
+    if (!may_name(named, path, use.library)) {
         notes.push_back(fmt::format("{}: its material file {} {}; drawn without", path,
                                     printable(use.library), outside_rule));
         return looks;
@@ -264,11 +264,8 @@ class ObjPictures {
         look.maps[std::size_t(map)] = texture;
     }
 
-    bool may_be_read(const std::string& map) const {
-        return named_ == NamedFiles::anywhere || lies_below(path_, map);
-    }
     PictureColors read(const char* keyword, const std::string& map) {
-        if (!may_be_read(map))
+        if (!may_name(named_, path_, map))
             throw invalid_file(path_, 0,
                                fmt::format("{} {} {}", keyword, printable(map), outside_rule));
         scene_.files.push_back((folder_ / map).string());
@@ -278,7 +275,7 @@ class ObjPictures {
     PictureColors read_if_there(const char* keyword, std::string_view what) {
         const std::string map = material_.map(keyword);
         if (map.empty()) return {};
-        if (!may_be_read(map) || is_picture(folder_ / map)) return read(keyword, map);
+        if (!may_name(named_, path_, map) || is_picture(folder_ / map)) return read(keyword, map);
         scene_.notes.push_back(fmt::format("{}: the {} {} is no {} that is there; drawn without",
                                            path_, what, printable(map), pictures_read));
         return {};
@@ -312,7 +309,7 @@ class ObjPictures {
     /// Loads the picture that the exporter's comment names.
     void load_packed(SceneMaterial& look) {
         const std::string& name = material_.packed;
-        if (!may_be_read(name) || !is_picture(folder_ / name)) return;
+        if (!may_name(named_, path_, name) || !is_picture(folder_ / name)) return;
         auto [image, alpha] = colors_and_alpha(read("roughness and metallic", name));
         if (std::filesystem::path(name).stem().string().ends_with("_mask"))
             image = from_mask_map(image, alpha);

@@ -14,7 +14,12 @@ enum class NamedFiles { below, anywhere };
 /// Symbolic links count as what they end at; what does not exist lies where its name says.
 bool lies_below(const std::string& file, const std::string& name);
 
-/// The end of a sentence about a name that lies_below() refuses.
+/// Whether `file` may name `name`, which is looked for from its folder on.
+inline bool may_name(NamedFiles named, const std::string& file, const std::string& name) {
+    return named == NamedFiles::anywhere || lies_below(file, name);
+}
+
+/// The end of a sentence about a name that may_name() refuses.
 inline constexpr auto outside_rule =
     "lies outside the folder of the file that names it; put it there, or allow it with "
     "--allow-outside";

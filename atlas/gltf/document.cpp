@@ -109,10 +109,6 @@ std::string beside(const FileBuffer& document, const std::string& name) {
     return (std::filesystem::path(document.path).parent_path() / name).string();
 }
 
-bool may_be_read(const FileBuffer& document, const std::string& name) {
-    return document.named == NamedFiles::anywhere || lies_below(document.path, name);
-}
-
 /// Checks that buffer `i` has its bytes, and reads them when they are in a file of their own.
 void check_buffer(const GltfChecker& gltf, const Json& buffer, std::size_t i,
                   const GltfParts& parts, const FileBuffer& document, Files& files) {
@@ -139,7 +135,7 @@ void check_buffer(const GltfChecker& gltf, const Json& buffer, std::size_t i,
     const std::string name = confined_file_name(*uri, document.named);
     if (name.empty())
         gltf.fail(where, fmt::format("the uri '{}' {}", printable(*uri), confined_rule));
-    if (!may_be_read(document, name))
+    if (!may_name(document.named, document.path, name))
         gltf.fail(where, fmt::format("'{}' {}", printable(name), outside_rule));
     const FileBuffer file = read_file(beside(document, name));
     expect(file.size);
@@ -152,7 +148,7 @@ void read_image(const GltfChecker& gltf, const Json& image, const FileBuffer& do
     const std::string* uri = gltf.string_in(image, "uri", "images");
     if (uri == nullptr || is_data_uri(*uri)) return;
     const std::string name = confined_file_name(*uri, document.named);
-    if (name.empty() || !may_be_read(document, name)) return;
+    if (name.empty() || !may_name(document.named, document.path, name)) return;
     try {
         const FileBuffer file = read_file(beside(document, name));
         if (file.size <= largest_gltf_integer)

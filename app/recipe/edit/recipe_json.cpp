@@ -117,7 +117,7 @@ Recipe read_recipe(const Json& tree, const std::string& origin, RecipeImages& im
     std::set<const MipImage*> blank;
     Recipe recipe = recipe_from_json(tree, [&](const std::string& file, ImageWrap wrap) {
         if (auto pixels = known_image(known, file, wrap)) return pixels;
-        if (images.limits.named == NamedFiles::below && !lies_below(origin, file))
+        if (!may_name(images.limits.named, origin, file))
             throw invalid_file(origin, 0, fmt::format("the image {} {}", file, outside_rule));
         declared.add(path_of(file), wrap);
         auto pixels = blank_image(wrap);
