@@ -6,6 +6,7 @@
 #include "app/base/stopwatch.h"
 #include "app/gl/device/objects.h"
 #include "procedural/glsl/functions.h"
+#include "procedural/glsl/noise_count.h"
 
 namespace burl {
 
@@ -59,6 +60,10 @@ std::string GlGraphPass::problem(const TextureGraph& graph, const Filter& filter
     std::string why =
         nodes_filter(filter.kind) ? no_filtered_shader(graph, filter) : no_graph_shader(graph);
     if (!why.empty()) return why;
+    if (const std::size_t noises = shader_noises(graph, GraphOutput::planes);
+        noises > most_shader_noises)
+        return fmt::format("its graph evaluates {} noises for a texel, and OpenGL is given {}",
+                           noises, most_shader_noises);
     GLint units = 0;
     gl_->GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
     // Alpha is read from an image, or a table, of its own.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/gl/device/objects.h"
+#include "procedural/glsl/noise_count.h"
 #include "procedural/graph/masks.h"
 #include "procedural/graph/planes.h"
 
@@ -237,7 +238,8 @@ std::string GlPictureMaker::problem(const Recipe& recipe) const {
 
 bool GlPictureMaker::makes_bumps(const Recipe& recipe) const {
     const bool filtered = recipe.filter.kind != FilterKind::none || recipe.filter.band_limit;
-    return !recipe.bump.empty() && !filtered && no_height_shader(recipe.bump.input).empty();
+    return !recipe.bump.empty() && !filtered && no_height_shader(recipe.bump.input).empty() &&
+           shader_noises(recipe.bump.input, GraphOutput::color) <= most_shader_noises;
 }
 
 void GlPictureMaker::set_frames(const FrameMaps& frames) {

@@ -1,0 +1,20 @@
+#pragma once
+// The cost of a graph's shader, known before it is compiled: software OpenGL works through every
+// noise that a shader calls, some 50 ms each, and several times that where they are many.
+#include <cstddef>
+
+#include "procedural/graph/graph.h"
+#include "procedural/graph/planes.h"
+
+namespace burl {
+
+/// The largest number of noises of a graph that OpenGL is given; those of Burl's own recipes have
+/// at most a fifth of it (tests/procedural/glsl/noise_count_test.cpp).
+inline constexpr std::size_t most_shader_noises = 256;
+
+/// The number of noises that a graph's shader evaluates for a point: an octave, or a cell's number,
+/// counts as one, a vector of them as three and strewn shapes as four; what the graph shares counts
+/// once. The graph must be valid and not empty.
+std::size_t shader_noises(const TextureGraph& graph, GraphOutput output);
+
+}  // namespace burl

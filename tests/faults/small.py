@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+"""Small files that ask for much: small.py BURL LIBRARY FOLDER
+Each holds one thing many times in at most 1.3 MB. It is refused or baked at --size 16 within SECONDS of processor time and MEBIBYTES of
+memory, or within what its own row allows, which docs/reference/limits.md gives."""
+import base64, json, math, os, random, struct, subprocess, sys, threading, zlib
+
+from common import EVERY, Burl, Report, sentence_problem
+
+SECONDS, MEBIBYTES = 2.0, 1024
+CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+ONE = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+
+
+class Case:
+    """A file's name and bytes, with what is done with it; {} stands for the name."""
+
+    def __init__(self, name, data, command="bake {} --size 16 -o out.glb", often=False, seconds=SECONDS, mebibytes=MEBIBYTES, beside=()):
+        self.name, self.data, self.command, self.often = name, data, command, often
+        self.seconds, self.mebibytes, self.beside = seconds, mebibytes, beside
+
+
+def lines(count, line):
+    return "".join(line(i) + "\n" for i in range(count))
+
+
+def obj_cases():
+    grid = 115
+    rough = lines(grid * grid, lambda i: f"v {i % grid} {i // grid} {i % grid * (i // grid) % 3}") + "".join(
+        f"f {i} {i + 1} {i + grid}\nf {i + 1} {i + grid + 1} {i + grid}\n" for y in range(grid - 1) for i in range(y * grid + 1, y * grid + grid))
+    yield Case("soup.obj", lines(20000, lambda i: f"v {i} {i % 7} {i % 11}") + lines(
+        30000, lambda i: f"f {1 + i % 20000} {1 + i * 7 % 20000} {1 + i * 13 % 20000}"), often=True)
+    yield Case("round-a-point.obj", lines(40000, lambda i: f"v {i} {i * i % 101} 0") + lines(39997, lambda i: f"f 1 {i + 2} {i + 3}"))
+    for kind in ("quad", "area", "patch", "chart"):
+        yield Case("same-triangle.obj", CORNERS + "f 1 2 3\n" * 110000, f"bake {{}} --size 16 -o out.glb --atlas {kind}")
+    yield Case("polygon.obj", lines(50000, lambda i: f"v {i} {i * i % 997} 0") + "f " + " ".join(map(str, range(1, 50001))) + "\n", often=True)
+    yield Case("star.obj", lines(40000, lambda i: f"v {math.cos(2.4 * i) * (1 + i % 2):.4f} {math.sin(2.4 * i) * (1 + i % 2):.4f} 0")
+               + "f " + " ".join(map(str, range(1, 40001))) + "\n")
+    yield Case("one-edge.obj", "v 0 0 0\nv 1 0 0\n" + lines(30000, lambda i: f"v 0 {i} 1") + lines(30000, lambda i: f"f 1 2 {i + 3}"))
+    yield Case("groups.obj", CORNERS + lines(30000, lambda i: f"g a{i} b{i} c{i}\nf 1 2 3"), "bake {} --size 16 -o out.obj", often=True)
+    yield Case("materials.obj", "mtllib none.mtl\n" + CORNERS + lines(40000, lambda i: f"usemtl m{i}\nf 1 2 3"))
+    yield Case("weld.obj", lines(30000, lambda i: f"v {i * 1e-9} 0 {i % 3}") + lines(29990, lambda i: f"f {i + 1} {i + 2} {i + 3}"),
+               "bake {} --size 16 -o out.glb --weld 0.1")
+    yield Case("lines.obj", CORNERS + "f 1 2 3\n" + "l 1 2\n" * 150000)
+    for kind in ("uniform", "length", "quad", "patch", "chart"):
+        yield Case("rough-grid.obj", rough, f"bake {{}} --size 16 -o out.glb --atlas {kind}")
+
+
+def other_mesh_cases():
+    random.seed(1)
+    def stl(count, triangle): return bytes(80) + struct.pack("<I", count) + b"".join(triangle() for _ in range(count))
+    yield Case("same.stl", stl(19999, lambda: struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)))
+    yield Case("loose.stl", stl(19999, lambda: struct.pack("<12fH", *(random.uniform(-1, 1) for _ in range(12)), 0)), often=True)
+    head = "ply\nformat {} 1.0\nelement vertex {}\n{}element face {}\nproperty list uchar int vertex_indices\nend_header\n"
+    place = "property float x\nproperty float y\nproperty float z\n"
+    yield Case("claims.ply", head.format("ascii", 10**9, place, 1) + "0 0 0\n", often=True)
+    yield Case("empty-faces.ply", head.format("binary_little_endian", 3, place, 900000).encode() + bytes(900036), often=True)
+    yield Case("no-places.ply", head.format("binary_little_endian", 10**9, "", 1).encode() + bytes(36), often=True)
+
+
+def gltf(count, points, indices=None, mode=4, **more):
+    """A glTF of one mesh in one node, and what `more` replaces."""
+    data = points + (indices or b"")
+    views, accessors = [{"buffer": 0, "byteLength": len(points)}], [
+        {"bufferView": 0, "componentType": 5126, "count": count, "type": "VEC3", "min": [-9, -9, -9], "max": [9, 9, 9]}]
+    primitive = {"attributes": {"POSITION": 0}, "mode": mode}
+    if indices:
+        views.append({"buffer": 0, "byteOffset": len(points), "byteLength": len(indices)})
+        accessors.append({"bufferView": 1, "componentType": 5123, "count": len(indices) // 2, "type": "SCALAR"})
+        primitive["indices"] = 1
+    uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+    return json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(len(more.get("nodes", [0]))))}],
+                       "nodes": [{"mesh": 0}], "meshes": [{"primitives": [primitive]}], "accessors": accessors, "bufferViews": views,
+                       "buffers": [{"byteLength": len(data), "uri": uri}]} | more)
+
+
+def gltf_cases():
+    unshared, corners = "bake {} --size 16 -o out.glb --unshare-instances", {"attributes": {"POSITION": 0}}
+    count = 30000
+    circle = b"".join(struct.pack("<3f", math.cos(i), math.sin(i), 0) for i in range(count))
+    fan = b"".join(struct.pack("<3H", 0, 1 + i, 2 + i) for i in range(count - 2))
+    yield Case("fan.gltf", gltf(count, circle, fan))
+    yield Case("fan-mode.gltf", gltf(count, circle, None, 6))
+    many = [{"mesh": 0, "translation": [i, 0, 0]} for i in range(20000)]
+    for command in ("bake {} --size 16 -o out.glb", unshared, "bake {} --size 16 -o out.obj"):
+        yield Case("instances.gltf", gltf(3, ONE, nodes=many), command)
+    yield Case("primitives.gltf", gltf(3, ONE, meshes=[{"primitives": [corners] * 20000}]),
+               "bake {} --size 16 -o out.glb --atlas-per material")
+    yield Case("materials.gltf", gltf(3, ONE, materials=[{"name": f"m{i}"} for i in range(12000)],
+                                      meshes=[{"primitives": [corners | {"material": i} for i in range(12000)]}]),
+               "bake {} --size 16 -o out.glb --assign m*=marble", often=True)
+    chain = [{"mesh": 0}] + [{"children": [i + 1]} if i < 24999 else {} for i in range(1, 25000)]
+    yield Case("chain.gltf", gltf(3, ONE, nodes=chain, scenes=[{"nodes": [0, 1]}]), often=True)
+    channel = {"sampler": 0, "target": {"node": 0, "path": "translation"}}
+    yield Case("channels.gltf", gltf(3, ONE, animations=[{"channels": [channel] * 20000, "samplers": [{"input": 0, "output": 0}]}]),
+               "bake {} --size 16 -o out.glb --pose walk")
+    # What is asked for is six million triangles.
+    yield Case("large-instances.gltf", gltf(count, circle, fan, nodes=[{"mesh": 0}] * 200), unshared, seconds=60)
+
+
+def png(width, height, kind, depth=8):
+    """A picture of one colour; kind is PNG's type of colour."""
+    def chunk(name, data): return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+    row = b"\0" + b"\x7f" * (width * {0: 1, 2: 3, 3: 1, 6: 4}[kind] * depth // 8)
+    packer = zlib.compressobj(9)
+    pixels = b"".join(packer.compress(row) for _ in range(height)) + packer.flush()
+    palette = chunk(b"PLTE", b"\x10\x20\x30" * 256) if kind == 3 else b""
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, depth, kind, 0, 0, 0)) + palette + chunk(b"IDAT", pixels) \
+        + chunk(b"IEND", b"")
+
+
+def tree(depth, leaf):
+    return leaf() if depth == 0 else {"node": "add", "a": tree(depth - 1, leaf), "b": tree(depth - 1, leaf)}
+
+
+def recipe(node, **more):
+    stops = [[0, "#000000"], [1, "#ffffff"]]
+    return json.dumps({"burl": 1, "texture": {"node": "color_map", "stops": stops, "input": node}} | more)
+
+
+def doubled(steps, reference):
+    """Definitions of which each uses the one before twice."""
+    return {"n0": {"node": "fbm"}} | {f"n{i}": {"node": "add", "a": reference(i - 1, 1.1), "b": reference(i - 1, 1.2)} for i in range(1, steps + 1)}
+
+
+def recipe_cases():
+    bake = "bake sample:cube --recipe {} --size 16 -o out.png"
+    warps = fbm = {"node": "fbm", "octaves": 8}
+    for _ in range(60): warps = {"node": "warp", "strength": 0.1, "input": warps}
+    number = iter(range(1, 1 << 20))
+    def distinct(): return {"node": "transform", "scale": [1 + next(number) * .01, 1, 1], "input": {"node": "fbm", "octaves": 16}}
+    yield Case("warps.burl.json", recipe(warps), bake, often=True)
+    yield Case("tree.burl.json", recipe(tree(12, lambda: fbm)), bake)
+    yield Case("octaves.burl.json", recipe(tree(7, distinct)), bake)
+    yield Case("octaves-gl.burl.json", recipe(tree(7, distinct)), bake + " --synth gl", often=True)
+    yield Case("shared.burl.json", recipe("n24", define=doubled(24, lambda i, _: f"n{i}")), bake, often=True)
+    yield Case("turned.burl.json", recipe("n24", define=doubled(24, lambda i, s: {"node": "transform", "scale": [s, 1, 1], "input": f"n{i}"})),
+               bake, often=True)
+    yield Case("samples.burl.json", recipe(tree(8, lambda: fbm)), bake + " --filter supersample:1000")
+    yield Case("strokes.burl.json", json.dumps({"burl": 1, "paint": [{"points": [[i % 7, i % 5, i % 3]] * 3, "radius": 1} for i in range(9000)]}), bake)
+    yield Case("keys.burl.json", json.dumps({"burl": 1, "animation": {"tracks": [
+        {"path": "solid.scale", "keys": [[i * .01, 1 + i % 3] for i in range(20000)]}]}}), bake)
+    yield Case("deep.burl.json", '{"burl":1,"texture":' + '{"node":"add","a":' * 20000 + "1" + "}" * 20001, bake, often=True)
+
+
+def image_cases():
+    bake = "bake sample:cube --recipe {} --size 16 -o out.png"
+    def image(name, *picture, **more):
+        data = png(*picture)
+        return Case(name + ".burl.json", json.dumps({"burl": 1, "texture": {"node": "image", "file": name + ".png"}}), bake,
+                    beside=[(name + ".png", data)], **more)
+    yield image("rgb", 8192, 8192, 2, seconds=4)
+    yield image("palette", 8192, 8192, 3)
+    yield image("rgb16", 8192, 8192, 2, 16, seconds=4)
+    yield image("odd", 8191, 8191, 0, seconds=10, mebibytes=1900)
+    yield image("transparent", 8192, 8192, 6, seconds=10, mebibytes=2048)
+    yield Case("render.obj", "mtllib render.mtl\n" + CORNERS + "vt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n",
+               "render {} --size 16x16 -o out.png", seconds=12, mebibytes=2048,
+               beside=[("render.mtl", b"newmtl a\nmap_Kd render.png\n"), ("render.png", png(16384, 16384, 0))])
+
+
+def other_cases():
+    bakes = [{"mesh": "sample:cube", "size": 16, "output": f"o{i}.png"} for i in range(15000)]
+    yield Case("bakes.json", json.dumps({"bakes": bakes}), "batch {} --dry-run", seconds=15)
+    yield Case("points.csv", "0.1,0.2,0.3\n" * 80000, "eval marble --points {}")
+    yield Case("nodes.mtlx", '<?xml version="1.0"?><materialx version="1.38">' + "".join(
+        f'<add name="a{i}" type="float"><input name="in1" type="float" nodename="a{i - 1}"/>'
+        f'<input name="in2" type="float" nodename="a{i - 1}"/></add>' for i in range(1, 7000)) + "</materialx>", "show {}", often=True)
+
+
+def problem(case, burl):
+    """What is wrong about a case's run."""
+    for name, data in [(case.name, case.data.encode() if isinstance(case.data, str) else case.data), *case.beside]:
+        (burl.folder / name).write_bytes(data)
+    words = [word.replace("{}", case.name) for word in case.command.split()]
+    words += {"bake": ["--force", "--quiet"], "batch": ["--quiet"]}.get(words[0], [])
+    with open(burl.folder / "err.txt", "w+", errors="backslashreplace") as err:
+        child = subprocess.Popen([burl.program, *words], cwd=burl.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err)
+        late = threading.Timer(100 * case.seconds, child.kill)
+        late.start()
+        _, status, used = os.wait4(child.pid, 0)
+        late.cancel()
+        err.seek(0)
+        said = err.read()
+    code, seconds, mebibytes = os.waitstatus_to_exitcode(status), used.ru_utime + used.ru_stime, used.ru_maxrss // 1024
+    print(f"{words[0]} {case.name} {' '.join(words[2:])}: exit code {code}, {seconds:.2f} s, {mebibytes} MiB", flush=True)
+    if code < 0: return f"ended by signal {-code}"
+    if mebibytes > case.mebibytes: return f"{mebibytes} MiB"
+    if seconds > case.seconds: return f"{seconds:.2f} s"
+    return sentence_problem(said) if code else ""
+
+
+def main():
+    burl, report = Burl(*sys.argv[1:4]), Report()
+    for cases in (obj_cases, other_mesh_cases, gltf_cases, recipe_cases, image_cases, other_cases):
+        for case in cases():
+            if EVERY or case.often: report.add(f"{case.name}: {case.command}", problem(case, burl))
+    return report.end("small")
+
+
+sys.exit(main())
