@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Makes all pictures of README.md, docs/guide/ and docs/lab/ anew, by Burl itself; those of materials are Blender's (materials.sh).
+# Makes all pictures of README.md and docs/guide/ anew, and some of docs/lab/, by Burl itself; those of materials are Blender's (materials.sh).
 #   docs/images/make.sh build/release/bin            all of them
-#   docs/images/make.sh build/release/bin PART...    some: teapot atlases solid bumps turntable sheet editor tour figures materials serpentine page grazing blender
-# Debian's packages netpbm (atlases, solid, bumps, grazing), webp (tour, materials, page, grazing, blender), blender (materials, blender), nodejs
-# and chromium (page, grazing) are needed.
+#   docs/images/make.sh build/release/bin PART...    some: teapot atlases solid bumps turntable sheet editor tour graph asset figures materials serpentine page grazing blender
+# Debian's packages netpbm (atlases, solid, bumps, asset, grazing), webp (editor, tour, graph, asset, materials, page, grazing, blender), blender with
+# python3-numpy (asset, materials, blender), nodejs and chromium (page, grazing) are needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 bin=$(cd "${1:?the folder of the programs is missing, such as build/release/bin}" && pwd)
@@ -82,13 +82,24 @@ sheet() { # docs/guide/pictures.md
 }
 
 editor() { # README, docs/guide/textures.md, docs/guide/editor.md
-    "$bin/burl-edit" --unseen --recipe marble --script "$here/editor.json" --screenshot-dir "$here" --exit
+    "$bin/burl-edit" --unseen --recipe marble --script "$here/editor.json" --screenshot-dir "$scratch" --exit
+    cwebp -quiet -q 85 "$scratch/editor.png" -o "$here/editor.webp"
 }
 
 tour() { # README, docs/guide/editor.md
     mkdir "$scratch/tour"
     "$bin/burl-edit" --unseen --recipe marble --script "$here/editor-tour.json" --screenshot-dir "$scratch/tour" --exit
     img2webp -loop 0 -lossy -q 70 -d 130 "$scratch"/tour/0*.png -o "$here/editor-tour.webp" >"$scratch/log"
+}
+
+graph() { # docs/guide/editor.md
+    mkdir "$scratch/graph"
+    "$bin/burl-edit" --unseen --script "$here/editor-oak.json" --screenshot-dir "$scratch/graph" --exit
+    cwebp -quiet -q 82 "$scratch/graph/editor-oak.png" -o "$here/editor-graph.webp"
+}
+
+asset() { # docs/guide/your-asset.md
+    "$here/your-asset.sh" "$burl"
 }
 
 figures() { # README, docs/guide/figures.md
@@ -138,7 +149,7 @@ blender() { # docs/guide/blender.md
     cwebp -quiet -q 88 "$scratch/nodes.png" -o "$here/blender-nodes.webp"
 }
 
-parts=(teapot atlases solid bumps turntable sheet editor tour figures materials serpentine page grazing blender)
+parts=(teapot atlases solid bumps turntable sheet editor tour graph asset figures materials serpentine page grazing blender)
 for part in "${@:-${parts[@]}}"; do
     [[ " ${parts[*]} " == *" $part "* ]] || { echo "$part is no picture: name some of ${parts[*]}" >&2; exit 1; }
     echo "$part"
