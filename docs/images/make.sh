@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Makes all pictures of README.md and docs/guide/ anew, and some of docs/lab/, by Burl itself; those of materials are Blender's (materials.sh).
+# Makes all pictures of README.md and docs/guide/ anew, and some of the other shelves, by Burl itself; those of materials are Blender's (materials.sh).
 #   docs/images/make.sh build/release/bin            all of them
-#   docs/images/make.sh build/release/bin PART...    some: teapot atlases solid bumps turntable sheet editor tour graph asset figures materials serpentine page grazing blender
-# Debian's packages netpbm (atlases, solid, bumps, asset, grazing), webp (editor, tour, graph, asset, materials, page, grazing, blender), blender with
+#   docs/images/make.sh build/release/bin PART...    some: teapot atlases solid bumps precision turntable sheet editor tour graph asset figures materials serpentine page grazing blender
+# Debian's packages netpbm (atlases, solid, bumps, precision, asset, grazing), webp (editor, tour, graph, asset, materials, page, grazing, blender), blender with
 # python3-numpy (asset, materials, blender), nodejs and chromium (page, grazing) are needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -69,6 +69,18 @@ solid() { # docs/lab/reproduction.md: figures 1, 3 and 6 of "Real-Time Procedura
     pnmcat -tb -white "$scratch"/{1,2,3}.ppm >"$scratch/left.ppm"
     pnmcat -lr "$scratch"/6{uniform,area,length}.ppm >"$scratch/right.ppm"
     pnmcat -lr -white "$scratch"/{left,right}.ppm | pnmquant -quiet 256 | pnmtopng -compression 9 >"$here/solid-2001.png"
+}
+
+precision() { # docs/reference/precision.md
+    local recipe bits
+    for recipe in wood marble; do
+        for bits in fixed:8.{3,4,5,6,8} float64; do
+            "$burl" render --direct sample:teapot -o "$scratch/precise.png" --recipe $recipe --precision $bits --size 176x128 --view 30,20,2.6
+            pngtopnm "$scratch/precise.png" | pnmpad -white -right 2 -bottom 2 >"$scratch/$recipe-$bits.ppm"
+        done
+        pnmcat -lr "$scratch/$recipe"-{fixed:8.{3,4,5,6,8},float64}.ppm >"$scratch/precise-$recipe.ppm"
+    done
+    pnmcat -tb "$scratch"/precise-{wood,marble}.ppm | pnmquant -quiet 256 | pnmtopng -compression 9 >"$here/precision.png"
 }
 
 turntable() { # docs/guide/pictures.md
@@ -149,7 +161,7 @@ blender() { # docs/guide/blender.md
     cwebp -quiet -q 88 "$scratch/nodes.png" -o "$here/blender-nodes.webp"
 }
 
-parts=(teapot atlases solid bumps turntable sheet editor tour graph asset figures materials serpentine page grazing blender)
+parts=(teapot atlases solid bumps precision turntable sheet editor tour graph asset figures materials serpentine page grazing blender)
 for part in "${@:-${parts[@]}}"; do
     [[ " ${parts[*]} " == *" $part "* ]] || { echo "$part is no picture: name some of ${parts[*]}" >&2; exit 1; }
     echo "$part"
