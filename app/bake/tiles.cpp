@@ -102,7 +102,7 @@ void check_uvs(const BakeCommand& command, const Recipe& recipe, const BakePlan&
     if (command.udim && holds_mesh(command.out))
         throw Error(
             ExitCode::usage,
-            fmt::format("{}: --udim writes textures alone, .png or .exr, since one material "
+            fmt::format("{}: --udim writes textures alone, such as .png, since one material "
                         "of these files has one image; your mesh keeps its coordinates",
                         command.out));
     if (const std::string why = why_not_this_extent(recipe.atlas, plan); uv && !why.empty())

@@ -25,7 +25,7 @@ std::string name_of(const Mesh& mesh) {
 void check_uvs(const Mesh& mesh) {
     if (mesh.corners.uvs.empty())
         throw Error(ExitCode::usage,
-                    fmt::format("{} has no texture coordinates; use --atlas patch, which makes its "
+                    fmt::format("{} has no texture coordinates; use --atlas chart, which makes its "
                                 "own, or unwrap the mesh first",
                                 name_of(mesh)));
 }
@@ -109,7 +109,7 @@ Error lies_in_no_tile(const Mesh& mesh, const UvBox& box, std::uint64_t charts) 
     return Error(ExitCode::runtime,
                  fmt::format("{}: {} of its charts lie in no single tile of the texture (one has u "
                              "{:.4g} to {:.4g}, v {:.4g} to {:.4g}): a texture that repeats cannot "
-                             "show a solid; unwrap the mesh into 0 to 1, or use --atlas patch",
+                             "show a solid; unwrap the mesh into 0 to 1, or use --atlas chart",
                              name_of(mesh), charts, box.low.x, box.high.x, 1.0 - box.high.y,
                              1.0 - box.low.y));
 }
@@ -129,7 +129,7 @@ std::vector<std::uint32_t> tiles_of(const Mesh& mesh, const std::vector<UvBox>& 
     if (tiles.empty())
         throw Error(ExitCode::runtime,
                     fmt::format("{}: none of its triangles has an area in its texture coordinates; "
-                                "use --atlas patch, which makes its own",
+                                "use --atlas chart, which makes its own",
                                 name_of(mesh)));
     return {tiles.begin(), tiles.end()};
 }
@@ -177,7 +177,7 @@ void count_overlap(const Mesh& mesh, Atlas& atlas) {
         ExitCode::runtime,
         fmt::format("{}: {} triangles share {} texels with others, so that only one of them "
                     "can be right there; --uv-overlap first shows the first (for mirrored "
-                    "or stacked charts), --atlas patch gives each its own texels",
+                    "or stacked charts), --atlas chart gives each its own texels",
                     name_of(mesh), claims.sharing_triangles, claims.shared_texels));
 }
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Makes all pictures of README.md, docs/guide/ and docs/lab/ anew, by Burl itself; those of materials are Blender's (materials.sh).
+# Makes all pictures of README.md and docs/guide/ anew, and some of the other shelves, by Burl itself; those of materials are Blender's (materials.sh).
 #   docs/images/make.sh build/release/bin            all of them
-#   docs/images/make.sh build/release/bin PART...    some: teapot atlases solid bumps turntable sheet editor tour figures materials serpentine page grazing blender
-# Debian's packages netpbm (atlases, solid, bumps, grazing), webp (tour, materials, page, grazing, blender), blender (materials, blender), nodejs
-# and chromium (page, grazing) are needed.
+#   docs/images/make.sh build/release/bin PART...    some: teapot atlases solid bumps precision turntable sheet editor tour graph asset figures materials serpentine page grazing blender
+# Debian's packages netpbm (atlases, solid, bumps, precision, asset, grazing), webp (editor, tour, graph, asset, materials, page, grazing, blender), blender with
+# python3-numpy (asset, materials, blender), nodejs and chromium (page, grazing) are needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 bin=$(cd "${1:?the folder of the programs is missing, such as build/release/bin}" && pwd)
@@ -71,6 +71,18 @@ solid() { # docs/lab/reproduction.md: figures 1, 3 and 6 of "Real-Time Procedura
     pnmcat -lr -white "$scratch"/{left,right}.ppm | pnmquant -quiet 256 | pnmtopng -compression 9 >"$here/solid-2001.png"
 }
 
+precision() { # docs/reference/precision.md
+    local recipe bits
+    for recipe in wood marble; do
+        for bits in fixed:8.{3,4,5,6,8} float64; do
+            "$burl" render --direct sample:teapot -o "$scratch/precise.png" --recipe $recipe --precision $bits --size 176x128 --view 30,20,2.6
+            pngtopnm "$scratch/precise.png" | pnmpad -white -right 2 -bottom 2 >"$scratch/$recipe-$bits.ppm"
+        done
+        pnmcat -lr "$scratch/$recipe"-{fixed:8.{3,4,5,6,8},float64}.ppm >"$scratch/precise-$recipe.ppm"
+    done
+    pnmcat -tb "$scratch"/precise-{wood,marble}.ppm | pnmquant -quiet 256 | pnmtopng -compression 9 >"$here/precision.png"
+}
+
 turntable() { # docs/guide/pictures.md
     "$burl" render sample:bust --lazy --recipe malachite --turntable 36 --fps 18 --size 240x320 --view 30,12,3.4 \
         --quality 80 -o "$here/turntable.webp"
@@ -82,13 +94,24 @@ sheet() { # docs/guide/pictures.md
 }
 
 editor() { # README, docs/guide/textures.md, docs/guide/editor.md
-    "$bin/burl-edit" --unseen --recipe marble --script "$here/editor.json" --screenshot-dir "$here" --exit
+    "$bin/burl-edit" --unseen --recipe marble --script "$here/editor.json" --screenshot-dir "$scratch" --exit
+    cwebp -quiet -q 85 "$scratch/editor.png" -o "$here/editor.webp"
 }
 
 tour() { # README, docs/guide/editor.md
     mkdir "$scratch/tour"
     "$bin/burl-edit" --unseen --recipe marble --script "$here/editor-tour.json" --screenshot-dir "$scratch/tour" --exit
     img2webp -loop 0 -lossy -q 70 -d 130 "$scratch"/tour/0*.png -o "$here/editor-tour.webp" >"$scratch/log"
+}
+
+graph() { # docs/guide/editor.md
+    mkdir "$scratch/graph"
+    "$bin/burl-edit" --unseen --script "$here/editor-oak.json" --screenshot-dir "$scratch/graph" --exit
+    cwebp -quiet -q 82 "$scratch/graph/editor-oak.png" -o "$here/editor-graph.webp"
+}
+
+asset() { # docs/guide/your-asset.md
+    "$here/your-asset.sh" "$burl"
 }
 
 figures() { # README, docs/guide/figures.md
@@ -138,7 +161,7 @@ blender() { # docs/guide/blender.md
     cwebp -quiet -q 88 "$scratch/nodes.png" -o "$here/blender-nodes.webp"
 }
 
-parts=(teapot atlases solid bumps turntable sheet editor tour figures materials serpentine page grazing blender)
+parts=(teapot atlases solid bumps precision turntable sheet editor tour graph asset figures materials serpentine page grazing blender)
 for part in "${@:-${parts[@]}}"; do
     [[ " ${parts[*]} " == *" $part "* ]] || { echo "$part is no picture: name some of ${parts[*]}" >&2; exit 1; }
     echo "$part"
