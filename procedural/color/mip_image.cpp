@@ -69,27 +69,67 @@ RgbF mixed(const Taps& taps, const auto& texel_at) {
             float(std::max(sum[2], 0.0))};
 }
 
-/// The image resampled along rows, then along columns; a side that is a power of two stays as it
-/// is.
-Image<RgbF> with_power_of_two_sides(Image<RgbF> image, ImageWrap wrap) {
-    const std::size_t width = std::bit_ceil(image.width()), height = std::bit_ceil(image.height());
-    if (width != image.width()) {
-        const std::vector<Taps> taps = lanczos_taps(image.width(), width, wrap);
-        Image<RgbF> wide(width, image.height());
-        for (std::size_t y = 0; y < image.height(); ++y)
-            for (std::size_t x = 0; x < width; ++x)
-                wide(x, y) = mixed(taps[x], [&](std::size_t k) { return image(k, y); });
-        image = std::move(wide);
+/// The rows of an image widened to a power of two, each made when it is first asked for; the last
+/// four that a column's taps need are kept.
+template <class TexelAt>
+class WideRows {
+  public:
+    WideRows(std::size_t from, std::size_t width, const TexelAt& texel_at, ImageWrap wrap)
+        : texel_at_(texel_at), taps_(from == width ? 0 : width) {
+        if (from != width) taps_ = lanczos_taps(from, width, wrap);
+        for (Row& row : rows_) row.texels.resize(width);
     }
-    if (height != image.height()) {
-        const std::vector<Taps> taps = lanczos_taps(image.height(), height, wrap);
-        Image<RgbF> high(width, height);
-        for (std::size_t y = 0; y < height; ++y)
-            for (std::size_t x = 0; x < width; ++x)
-                high(x, y) = mixed(taps[y], [&](std::size_t k) { return image(x, k); });
-        image = std::move(high);
+    /// Row y, which stays until four others have been asked for.
+    const std::vector<RgbF>& operator()(std::size_t y) {
+        const auto known = std::ranges::find(rows_, std::ptrdiff_t(y), &Row::y);
+        Row& row = known != rows_.end() ? *known : rows_.front();
+        if (known == rows_.end()) fill(row, y);
+        std::rotate(rows_.begin(), rows_.begin() + (&row - rows_.data()) + 1, rows_.end());
+        return rows_.back().texels;
     }
-    return image;
+
+  private:
+    struct Row {
+        std::ptrdiff_t y = -1;
+        std::vector<RgbF> texels;
+    };
+    void fill(Row& row, std::size_t y) const {
+        row.y = std::ptrdiff_t(y);
+        for (std::size_t x = 0; x < row.texels.size(); ++x)
+            row.texels[x] = taps_.empty()
+                                ? texel_at_(x, y)
+                                : mixed(taps_[x], [&](std::size_t k) { return texel_at_(k, y); });
+    }
+
+    const TexelAt& texel_at_;
+    std::vector<Taps> taps_;
+    std::array<Row, 5> rows_;  ///< the one asked for last at the end
+};
+
+/// The image of texel_at(x, y) resampled along rows, then along columns; a side that is a power of
+/// two stays as it is.
+template <class TexelAt>
+Image<RgbF> with_power_of_two_sides(std::size_t columns, std::size_t rows, ImageWrap wrap,
+                                    const TexelAt& texel_at) {
+    const std::size_t width = std::bit_ceil(columns), height = std::bit_ceil(rows);
+    WideRows wide(columns, width, texel_at, wrap);
+    Image<RgbF> result(width, height);
+    const std::vector<Taps> taps =
+        height == rows ? std::vector<Taps>() : lanczos_taps(rows, height, wrap);
+    for (std::size_t y = 0; y < height; ++y) {
+        if (taps.empty()) {
+            std::ranges::copy(wide(y), result.row(y).begin());
+            continue;
+        }
+        std::array<const RgbF*, 4> four{};
+        for (std::size_t k = 0; k < 4; ++k)
+            if (taps[y].index[k] >= 0) four[k] = wide(std::size_t(taps[y].index[k])).data();
+        Taps column = taps[y];  // of the four rows
+        for (std::size_t k = 0; k < 4; ++k) column.index[k] = four[k] ? std::ptrdiff_t(k) : -1;
+        for (std::size_t x = 0; x < width; ++x)
+            result(x, y) = mixed(column, [&](std::size_t k) { return four[k][x]; });
+    }
+    return result;
 }
 
 /// The means of 2 x 2 texels of a level, or of two where one side is 1 already.
@@ -104,15 +144,6 @@ Image<RgbF> halved(const MipImage& image, std::size_t level) {
             result(x, y) = {0.25f * (a.r + b.r + c.r + d.r), 0.25f * (a.g + b.g + c.g + d.g),
                             0.25f * (a.b + b.b + c.b + d.b)};
         }
-    return result;
-}
-
-/// The image whose texels are function(texel).
-template <class Pixel, class Function>
-Image<RgbF> each_texel(const Image<Pixel>& image, const Function& function) {
-    Image<RgbF> result(image.width(), image.height());
-    for (std::size_t y = 0; y < image.height(); ++y)
-        for (std::size_t x = 0; x < image.width(); ++x) result(x, y) = function(image(x, y));
     return result;
 }
 
@@ -131,29 +162,37 @@ std::array<float, 256> decoded_codes() {
     return linear;
 }
 
-/// The image in linear light, multiplied by its alpha.
+/// The image in linear light, multiplied by its alpha, with sides that are powers of two.
 template <class Pixel>
-Image<RgbF> decoded(const Image<Pixel>& image) {
+Image<RgbF> resampled(const Image<Pixel>& image, ImageWrap wrap) {
     const std::array<float, 256> linear = decoded_codes();
-    return each_texel(image, [&](const Pixel& c) {
-        const float alpha = alpha_of(c);
-        return RgbF{alpha * linear[c.r], alpha * linear[c.g], alpha * linear[c.b]};
-    });
+    return with_power_of_two_sides(
+        image.width(), image.height(), wrap, [&](std::size_t x, std::size_t y) {
+            const Pixel c = image(x, y);
+            const float alpha = alpha_of(c);
+            return RgbF{alpha * linear[c.r], alpha * linear[c.g], alpha * linear[c.b]};
+        });
 }
 
-/// The image of its alpha, as greys.
-Image<RgbF> greys_of_alpha(const Image<Rgba8>& image) {
-    return each_texel(image, [](const Rgba8& texel) {
-        const float alpha = alpha_of(texel);
-        return RgbF{alpha, alpha, alpha};
-    });
+/// The alpha of an image as greys, with sides that are powers of two.
+Image<RgbF> resampled_alpha(const Image<Rgba8>& image, ImageWrap wrap) {
+    return with_power_of_two_sides(image.width(), image.height(), wrap,
+                                   [&](std::size_t x, std::size_t y) {
+                                       const float alpha = alpha_of(image(x, y));
+                                       return RgbF{alpha, alpha, alpha};
+                                   });
+}
+
+bool has_power_of_two_sides(const auto& image) {
+    return std::has_single_bit(image.width()) && std::has_single_bit(image.height());
 }
 
 bool has_transparent_texel(const Image<Rgba8>& image) {
     return std::ranges::any_of(image.pixels(), [](const Rgba8& texel) { return texel.a < 255; });
 }
 
-Image<Rgb8> without_alpha(const Image<Rgba8>& image) {
+/// Takes the image by value, so that its memory ends with it.
+Image<Rgb8> without_alpha(Image<Rgba8> image) {
     return converted<Rgb8>(image, [](const Rgba8& c) { return Rgb8{c.r, c.g, c.b}; });
 }
 
@@ -175,28 +214,46 @@ ImageSample blend(const ImageSample& a, const ImageSample& b, double w) {
 
 }  // namespace
 
-MipImage::MipImage(const Image<Rgb8>& image, ImageWrap wrap) : wrap_(wrap) {
-    if (std::has_single_bit(image.width()) && std::has_single_bit(image.height())) {
-        codes_ = image;
-        linear_ = decoded_codes();
-        levels_.emplace_back();
+MipImage::MipImage(Image<Rgb8> image, ImageWrap wrap) : wrap_(wrap) {
+    if (has_power_of_two_sides(image)) {
+        keep_codes(std::move(image));
     } else {
-        levels_.push_back(with_power_of_two_sides(decoded(image), wrap));
+        levels_.push_back(resampled(image, wrap));
+        image = {};
     }
     add_levels();
 }
 
-MipImage::MipImage(const Image<Rgba8>& image, ImageWrap wrap) : wrap_(wrap) {
+MipImage::MipImage(Image<Rgba8> image, ImageWrap wrap) : wrap_(wrap) {
     if (!has_transparent_texel(image)) {
-        *this = MipImage(without_alpha(image), wrap);
-        return;
+        *this = MipImage(without_alpha(std::move(image)), wrap);
+    } else if (has_power_of_two_sides(image)) {
+        alpha_.push_back(
+            MipImage(converted<std::uint8_t>(image, [](const Rgba8& c) { return c.a; }), wrap));
+        keep_codes(without_alpha(std::move(image)));
+        add_levels();
+    } else {
+        Image<RgbF> alpha = resampled_alpha(image, wrap);
+        cut_at(Image<RgbF>(alpha.width(), alpha.height(), {1.0f, 1.0f, 1.0f}), alpha);
+        Image<RgbF> colors = resampled(image, wrap);
+        image = {};
+        cut_at(alpha, colors);
+        *this = MipImage(std::move(colors), wrap);
+        alpha_.push_back(MipImage(std::move(alpha), wrap));
     }
-    Image<RgbF> alpha = with_power_of_two_sides(greys_of_alpha(image), wrap);
-    cut_at(Image<RgbF>(alpha.width(), alpha.height(), {1.0f, 1.0f, 1.0f}), alpha);
-    Image<RgbF> colors = with_power_of_two_sides(decoded(image), wrap);
-    cut_at(alpha, colors);
-    *this = MipImage(std::move(colors), wrap);
-    alpha_.push_back(MipImage(std::move(alpha), wrap));
+}
+
+MipImage::MipImage(Image<std::uint8_t> alphas, ImageWrap wrap)
+    : wrap_(wrap), alphas_(std::move(alphas)) {
+    for (std::size_t code = 0; code < 256; ++code) decoded_[code] = float(code) / 255.0f;
+    levels_.emplace_back();
+    add_levels();
+}
+
+void MipImage::keep_codes(Image<Rgb8> image) {
+    codes_ = std::move(image);
+    decoded_ = decoded_codes();
+    levels_.emplace_back();
 }
 
 MipImage::MipImage(Image<RgbF> finest, ImageWrap wrap) : wrap_(wrap) {

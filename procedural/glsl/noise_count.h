@@ -9,7 +9,7 @@
 namespace burl {
 
 /// The largest number of noises of a graph that OpenGL is given; those of Burl's own recipes have
-/// at most a fifth of it (tests/procedural/glsl/noise_count_test.cpp).
+/// at most a fifth of it (tests/app/gl/fill/noise_limit_test.cpp).
 inline constexpr std::size_t most_shader_noises = 256;
 
 /// The number of noises that a graph's shader evaluates for a point: an octave, or a cell's number,

@@ -44,8 +44,8 @@ std::shared_ptr<const MipImage> RecipeImages::pyramid(const std::string& path, I
     if (known) return known;
     const std::vector<std::uint8_t> bytes = read_picture_bytes(path);
     digests_.add(path, bytes);
-    const auto pyramid_of = [&](const auto& image) {
-        return std::make_shared<const MipImage>(image, wrap);
+    const auto pyramid_of = [&](auto&& image) {
+        return std::make_shared<const MipImage>(std::forward<decltype(image)>(image), wrap);
     };
     return known = std::visit(pyramid_of, decode_picture(bytes, path));
 }

@@ -21,8 +21,8 @@ namespace burl {
 struct ImageLimits {
     /// Where they may lie: without leave anywhere, for the caller's own recipes.
     NamedFiles named = NamedFiles::anywhere;
-    /// The largest side of an image, in pixels. A MIP pyramid of 8192 x 8192 takes 0.5 GB, and 1 GB
-    /// where its image is transparent or has sides that are no powers of two.
+    /// The largest side of an image, in pixels. A MIP pyramid of 8192 x 8192 takes 0.5 GB, 0.8 GB
+    /// where its image is transparent, and 1.1 or 2.1 GB where sides are no powers of two.
     std::size_t side = 8192;
 
     /// The most texels of all images of a recipe together, sides rounded up to powers of two as MIP

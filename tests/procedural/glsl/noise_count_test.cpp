@@ -32,7 +32,7 @@ TEST(NoiseCount, CountsCellsShapesAndVectors) {
     EXPECT_EQ(noises(R"({"node": "scatter"})"), 4u);
     EXPECT_EQ(noises(R"({"node": "curl", "strength": 0.4, "steps": 2, "octaves": 2,
                          "input": {"node": "coordinate"}})"),
-              12u);
+              24u);  // two vectors a step, of three noises an octave
 }
 
 TEST(NoiseCount, CountsWhatSlopesAreOf) {
