@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view size_name = "size";
 
-/// The control that says how long the object is in metres; null: the recipe has none.
+/// The control that says how long the object is in metres or kilometres; null: the recipe has none.
 const RecipeControl* size_control(const Recipe& recipe) {
     const auto found = std::ranges::find_if(recipe.controls, [](const RecipeControl& control) {
         return control.name == size_name && control.range && !control.sets.empty() &&
@@ -41,14 +41,15 @@ void set_metres(std::span<Recipe> recipes, const RecipeOptions& options, const M
     const RecipeControl* size = size_control(recipes.front());
     if (!size || recipes.front().solid.space == SolidSpace::object || is_set(*size, options))
         return;
-    const double metres = bounding_box(mesh).longest_side();
+    const bool kilometres = size->about.find("kilometres") != std::string::npos;
+    const double length = bounding_box(mesh).longest_side() / (kilometres ? 1000.0 : 1.0);
     const auto& [low, high] = *size->range;
-    const double taken = std::clamp(metres, low, high);
-    if (taken != metres)
-        warn(
-            fmt::format("{}: the mesh is {:.4g} m long, and the size of {} goes from {} to {} m; "
-                        "{} is taken",
-                        mesh.name, metres, recipes.front().name, low, high, taken));
+    const double taken = std::clamp(length, low, high);
+    if (taken != length)
+        warn(fmt::format(
+            "{0}: the mesh is {1:.4g} {6} long, and the size of {2} goes from {3} to "
+            "{4} {6}; {5} is taken",
+            mesh.name, length, recipes.front().name, low, high, taken, kilometres ? "km" : "m"));
     for (Recipe& recipe : recipes)
         recipe = with_numbers(recipe, {fmt::format("{}={}", size_name, taken)});
 }

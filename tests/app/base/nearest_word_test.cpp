@@ -17,5 +17,10 @@ TEST(NearestWord, CountsEdits) {
     EXPECT_EQ(nearest_word("x", {}), "");
 }
 
+TEST(NearestWord, CountsAnExchangeOfNeighboursAsOne) {
+    const std::vector<std::string_view> words{"opal", "oak"};
+    EXPECT_EQ(nearest_word("oka", words), "oak");
+}
+
 }  // namespace
 }  // namespace burl

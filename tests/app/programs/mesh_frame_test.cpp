@@ -112,10 +112,10 @@ TEST_F(MeshFrameOfFiles, TakePosesAlong) {
 }
 
 TEST_F(MeshFrameOfFiles, GiveMaterialsTheMeshsOwnSize) {
-    const auto size = [&](const std::string& options) {
-        const Outcome ran =
-            run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 128 --recipe oak --json {}",
-                                          scratch / "scan.obj", scratch / "s.png", options));
+    const auto size = [&](const std::string& options, const std::string& recipe = "oak") {
+        const Outcome ran = run_burl(
+            scratch, fmt::format("bake '{}' -o '{}' --size 128 --recipe {} --json {}",
+                                 scratch / "scan.obj", scratch / "s.png", recipe, options));
         EXPECT_EQ(ran.exit_code, 0) << ran.err;
         return nlohmann::json::parse(ran.out)["recipe"]["solid"]["scale"].get<double>();
     };
@@ -126,6 +126,7 @@ TEST_F(MeshFrameOfFiles, GiveMaterialsTheMeshsOwnSize) {
     EXPECT_EQ(size("--units mm --set size=2"), 2.0);
     EXPECT_EQ(size("--units mm --set Size=2"), 2.0);
     EXPECT_EQ(size("--units mm --set solid.scale=2"), 2.0);
+    EXPECT_EQ(size("--units m --scale 1000", "living-planet"), 360.0);  // kilometres
 }
 
 TEST_F(MeshFrameOfFiles, AreBakedAgainInAnotherFrame) {
