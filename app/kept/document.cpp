@@ -217,7 +217,14 @@ void KeptDocument::drop_unused(GltfList list) {
     const auto found = json.find(name_of(list));
     if (found == json.end()) return;
     std::vector<bool> used(found->size(), false);
-    for_each_reference(json, list, [&](Json& index) { used[index.get<std::size_t>()] = true; });
+    // No reader checks all references; one to nothing stays one, since lists only get shorter.
+    const auto visit = [&](const auto& visit_number) {
+        for_each_reference(json, list, [&](Json& index) {
+            const double number = index.is_number() ? index.get<double>() : -1.0;
+            if (number >= 0.0 && number < double(used.size())) visit_number(index);
+        });
+    };
+    visit([&](Json& index) { used[index.get<std::size_t>()] = true; });
     std::vector<std::size_t> new_number(used.size());
     Json kept = Json::array();
     std::vector<std::span<const std::uint8_t>> views;
@@ -227,8 +234,7 @@ void KeptDocument::drop_unused(GltfList list) {
         kept.push_back(std::move((*found)[i]));
         if (list == GltfList::bufferViews) views.push_back(views_[i]);
     }
-    for_each_reference(json, list,
-                       [&](Json& index) { index = new_number[index.get<std::size_t>()]; });
+    visit([&](Json& index) { index = new_number[index.get<std::size_t>()]; });
     if (list == GltfList::bufferViews) views_ = std::move(views);
     if (kept.empty())
         json.erase(name_of(list));

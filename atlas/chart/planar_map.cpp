@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "atlas/chart/covering.h"
 #include "atlas/chart/least_rectangle.h"
 
 namespace burl {
@@ -54,6 +55,7 @@ std::optional<PlanarMap> map_planar(const Patch& patch) {
     const double area = area_of(patch);
     const Vec2d size = r.high - r.low;
     if (!(size.x > 0.0) || !(size.y > 0.0) || area > r.area() * (1.0 + 1e-6)) return std::nullopt;
+    if (covers_twice(patch, flat, most_overlap)) return std::nullopt;
     PlanarMap map;
     for (const Vec2d& p : flat)
         map.uv.push_back((Vec2d(glm::dot(p, r.axis), cross(r.axis, p)) - r.low) / size);

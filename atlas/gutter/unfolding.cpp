@@ -8,6 +8,10 @@ namespace burl {
 namespace {
 
 constexpr int longest_walk = 1 << 14;  ///< triangles of one walk
+/// Triangles after which a walk that has come less than this share of its way is given up: among
+/// triangles that are nothing beside a texel it would go on to the end, for every texel.
+constexpr int early_triangles = 512;
+constexpr double early_share = 1e-4;
 /// Sine of a triangle's angle, here or in the plane, below which it has no area to walk from.
 constexpr double least_sine = 1e-12;
 
@@ -25,6 +29,13 @@ glm::dmat2 quarter_turn(const std::array<Vec2d, 3>& places, const std::array<Vec
     const Vec3d y = (along_v * u.x - along_u * v.x) / determinant;
     const double area = glm::length(glm::cross(x, y));
     return glm::dmat2(-glm::dot(x, y), glm::dot(x, x), -glm::dot(y, y), glm::dot(x, y)) / area;
+}
+
+/// The share of the way from a point that lies before the line through a and b; 0 where they are
+/// parallel.
+double share_before(const Vec2d& a, const Vec2d& b, const Vec2d& from, const Vec2d& way) {
+    const double to_edge = cross(a - from, b - a), to_end = cross(way, b - a);
+    return std::abs(to_end) > 0.0 ? std::clamp(to_edge / to_end, 0.0, 1.0) : 0.0;
 }
 
 /// The number of the edge between two corners of a triangle.
@@ -65,11 +76,11 @@ Walk Unfolding::walk(std::uint32_t first, const Vec2d& from, const Vec2d& to) {
         left = cross(way, tile.at_apex - from) < 0.0;
         const Vec2d a = left ? tile.at_apex : tile.at_right, b = left ? tile.at_left : tile.at_apex;
         if (cross(b - a, to - a) >= 0.0) return {next, 1.0, true};
+        if (step == early_triangles && share_before(a, b, from, way) < early_share) break;
     }
     const Tile& tile = tiles_[result.tile];
     const Vec2d a = left ? tile.at_apex : tile.at_right, b = left ? tile.at_left : tile.at_apex;
-    const double to_edge = cross(a - from, b - a), to_end = cross(way, b - a);
-    if (std::abs(to_end) > 0.0) result.share = std::clamp(to_edge / to_end, 0.0, 1.0);
+    result.share = share_before(a, b, from, way);
     return result;
 }
 

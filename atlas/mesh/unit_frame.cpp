@@ -4,7 +4,7 @@ namespace burl {
 
 namespace {
 
-constexpr double frame_steps = 1 << 24;  ///< steps of coordinates a side of the unit frame
+constexpr double frame_steps = 1.0 / frame_step;  ///< a side of the unit frame
 
 }  // namespace
 

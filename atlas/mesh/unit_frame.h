@@ -4,6 +4,9 @@
 
 namespace burl {
 
+/// What positions in the unit frame are multiples of.
+inline constexpr double frame_step = 0x1p-24;
+
 /// The mesh in the unit frame with positions and triangles only: positions are (p - low) / longest
 /// side rounded to multiples of 2^-24, with `low` and side of the mesh's box. Scaling or moving the
 /// mesh changes them by next to nothing, so that partitions and packing come out the same. A mesh

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "atlas/chart/covering.h"
 #include "atlas/chart/least_rectangle.h"
 #include "atlas/chart/planar_map.h"
 #include "atlas/outline/unfold.h"
@@ -28,6 +30,29 @@ constexpr std::size_t few_triangles = 16;
 /// Longest side of the box round triangles of a net that do not lie in a plane, likewise.
 constexpr double longest_net = 0.75;
 
+/// The border with all others inside: the box round it is the largest, though a hole's may be
+/// longer. Of equal boxes that of more area counts, and of those the longest.
+std::vector<Vec2d> outer_border(const Patch& patch, std::span<const Vec2d> places) {
+    std::vector<Vec2d> outer;
+    std::pair most(-1.0, 0.0);
+    for (const auto& loop : patch.loops) {
+        std::vector<Vec2d> border;
+        Vec2d low = places[patch.start(loop[0])], high = low;
+        double twice = 0.0;
+        for (const HalfEdge h : loop) {
+            const Vec2d& at = border.emplace_back(places[patch.start(h)]);
+            low = glm::min(low, at);
+            high = glm::max(high, at);
+            twice += cross(at - border[0], places[patch.end(h)] - border[0]);
+        }
+        const std::pair extent(high.x - low.x + high.y - low.y, twice);
+        if (extent <= most) continue;
+        most = extent;
+        outer = std::move(border);
+    }
+    return outer;
+}
+
 /// The chart of a patch with these places; triangles that close holes are left out.
 FlatChart chart_of(const Patch& patch, std::vector<Vec2d> places) {
     FlatChart chart;
@@ -37,7 +62,7 @@ FlatChart chart_of(const Patch& patch, std::vector<Vec2d> places) {
         chart.faces.push_back(patch.faces[t]);
         chart.triangles.push_back(patch.triangles[t]);
     }
-    for (const HalfEdge h : patch.loops[0]) chart.outline.push_back(chart.places[patch.start(h)]);
+    chart.outline = outer_border(patch, chart.places);
     chart.area = area_of(patch);
     return chart;
 }
@@ -162,7 +187,8 @@ class Division {
         if (!cut_to_disk(patch, connectivity_)) return std::nullopt;
         const double most = most_energy(area_of(patch));
         auto map = map_freely(patch, {.wanted = most});
-        if (!map || !(map->energy <= most) || overlaps_itself(patch, map->places))
+        if (!map || !(map->energy <= most) || overlaps_itself(patch, map->places) ||
+            covers_twice(patch, map->places, most_overlap))
             return std::nullopt;
         return unless_too_long(chart_of(patch, std::move(map->places)));
     }

@@ -49,11 +49,13 @@ class PlyParser {
 
     PolygonSoup parse() {
         for (const PlyElement& element : header_.elements) {
+            if (element.name == "vertex") {
+                parse_vertices(element);
+                continue;
+            }
             if (element.properties.empty()) continue;  // its rows take no bytes
             body_.begin_element(element);
-            if (element.name == "vertex")
-                parse_vertices(element);
-            else if (element.name == "face")
+            if (element.name == "face")
                 parse_faces(element);
             else if (element.name == "tristrips")
                 parse_strips(element);
@@ -109,6 +111,7 @@ void PlyParser<Body>::parse_vertices(const PlyElement& element) {
     }
     if (!(present[px] && present[py] && present[pz]))
         throw invalid_file(path_, 0, "the vertices have no properties x, y and z");
+    body_.begin_element(element);
     has_normals_ = present[nx] && present[ny] && present[nz];
     has_colors_ = present[red] && present[green] && present[blue];
     has_uvs_ = present[tu] && present[tv];

@@ -17,13 +17,18 @@ import sys
 root = pathlib.Path(__file__).resolve().parents[2]
 
 
-def counts_of(build):
-    """Returns {file: {line: times}} of all files below atlas/ and procedural/ that the build compiled."""
-    counts = {}
+def objects_of(build):
+    """Returns the .gcno files of atlas/ and procedural/."""
     objects = sorted(path for part in ("atlas", "procedural")
                      for path in (build / part / "CMakeFiles" / f"burl_{part}.dir").rglob("*.gcno"))
     if not objects:
         sys.exit(f"{build} has no .gcno files: build it with the preset lines")
+    return objects
+
+
+def counts_of(objects, build, beginnings):
+    """Returns {file: {line: times}} of all files with such a beginning that the objects were compiled from."""
+    counts = {}
     for path in objects:
         told = subprocess.run(["gcov", "--json-format", "--stdout", path], cwd=build, capture_output=True, check=True)
         for document in filter(None, told.stdout.decode().splitlines()):
@@ -32,7 +37,7 @@ def counts_of(build):
                 if not name.is_relative_to(root):
                     continue
                 name = str(name.relative_to(root))
-                if not name.startswith(("atlas/", "procedural/")):
+                if not name.startswith(beginnings):
                     continue
                 lines = counts.setdefault(name, {})
                 for line in entry["lines"]:
@@ -63,7 +68,8 @@ def main():
     options.add_argument("--least", type=float, default=92.0, help="percent that each of both folders must have")
     options.add_argument("--below", type=float, default=92.0, help="list files with fewer percent, and their lines")
     asked = options.parse_args()
-    counts = counts_of(asked.build.resolve())
+    build = asked.build.resolve()
+    counts = counts_of(objects_of(build), build, ("atlas/", "procedural/"))
     for name, run, of, percent in sorted((row(*item) for item in counts.items()), key=lambda r: r[3]):
         if percent < asked.below:
             idle = ranges(n for n, times in counts[name].items() if times == 0)

@@ -3,7 +3,7 @@
 # BUILD is a folder of the preset fuzz with burl_fuzz and burl_replay; without targets all are run, as many at a
 # time as there are processors. What was learned stays in BUILD/corpus/TARGET for the next run; what went wrong
 # lies in BUILD/found/TARGET-*. The limits are those of a file under 1 MB, 2 s and 1 GiB, with ten times the time
-# and thrice the memory for the sanitizers.
+# and thrice the memory for the sanitizers; BURL_FUZZ_TIMEOUT sets another time, for machines that others use, too.
 set -euo pipefail
 build=$(cd "$1" && pwd) seconds=$2
 shift 2
@@ -14,7 +14,7 @@ run_target() { # TARGET
     local folder=$build/corpus/$1 log=$build/found/$1.log
     mkdir -p "$folder" "$build/found"
     "$build/bin/burl_replay" "$1" "$folder"
-    if BURL_FUZZ=$1 "$build/bin/burl_fuzz" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3072 \
+    if BURL_FUZZ=$1 "$build/bin/burl_fuzz" -max_total_time="$seconds" -timeout="${BURL_FUZZ_TIMEOUT:-20}" -rss_limit_mb=3072 \
         -malloc_limit_mb=1024 -detect_leaks=0 -print_final_stats=1 -artifact_prefix="$build/found/$1-" \
         "$folder" >"$log" 2>&1; then
         printf '%s: %s\n' "$1" "$(grep -E '^#[0-9]+' "$log" | tail -1)"

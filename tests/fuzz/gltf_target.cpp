@@ -1,12 +1,12 @@
 // glTF and GLB: the mesh, its poses, the scene that is drawn, and the document that is kept.
 #include <algorithm>
+#include <array>
 
 #include <nlohmann/json.hpp>
 
 #include "app/kept/document.h"
 #include "app/scene/scene.h"
 #include "app/surface/tangents.h"
-#include "atlas/base/error.h"
 #include "atlas/mesh/mesh_builder.h"
 #include "atlas/read/gltf_origins.h"
 #include "atlas/read/pose.h"
@@ -24,20 +24,28 @@ FileBuffer file_of(const std::string& bytes) {
     return buffer_from(bytes, test::case_file("a.glb"));
 }
 
-/// Does what may find the file wrong, which need not end the others.
-template <class Work>
-void attempt(const Work& work) {
-    try {
-        work();
-    } catch (const Error&) {
-    }
-}
-
 void read_poses(const std::string& bytes) {
     std::vector<std::string> names = pose_names(file_of(bytes));
     if (names.size() > 4) names.resize(4);
     names.push_back("nodes");
-    for (const std::string& name : names) attempt([&] { read_own_pose(file_of(bytes), name); });
+    for (const std::string& name : names)
+        attempt([&] {
+            const MeshPose pose = read_own_pose(file_of(bytes), name);
+            const Mesh mesh = build_mesh(parse_gltf(file_of(bytes)), "a.glb");
+            check_mesh(posed_mesh(mesh, pose, 0.5));
+        });
+    attempt([&] { read_pose(file_of(bytes), file_of(bytes)); });
+}
+
+/// Adds to a document as a bake does: vertices like its own, indices and floats.
+void add_to(KeptDocument& document) {
+    const Json accessors = document.json.value("accessors", Json::array());
+    for (std::size_t i = 0; i < accessors.size(); ++i)
+        document.add_vertices(document.elements(i), accessors[i]);
+    document.add_indices({0, 1, 2}, 3);
+    document.add_floats(std::array{0.0f, 1.0f}, 2);
+    document.use_extension("KHR_texture_transform");
+    document.forget_extension("EXT_meshopt_compression");
 }
 
 void read_document(const std::string& bytes) {
@@ -45,6 +53,7 @@ void read_document(const std::string& bytes) {
     const std::size_t count = document.json.value("accessors", Json::array()).size();
     for (std::size_t i = 0; i < count; ++i) document.elements(i);
     if (document.knows_references()) document.drop_unused();
+    add_to(document);
     document.lay_out();
 }
 
@@ -58,6 +67,14 @@ void read_mesh_of(const std::string& bytes, const ReadOptions& options) {
 void read_gltf(const std::string& bytes) {
     attempt([&] { read_mesh_of(bytes, {}); });
     attempt([&] { read_mesh_of(bytes, {.unshare_instances = true, .uv_set = 1}); });
+    GltfChoice nodes, materials;
+    nodes.meshes = {"*"}, nodes.nodes = {"*"};
+    materials.materials = {"*"};
+    attempt([&] { read_mesh_of(bytes, {.choice = nodes}); });
+    attempt([&] { read_mesh_of(bytes, {.choice = materials}); });
+    attempt([&] { chosen_gltf_primitives(file_of(bytes), {.choice = materials}); });
+    nodes.nodes = {"none"};
+    attempt([&] { read_mesh_of(bytes, {.choice = nodes}); });
     attempt([&] { read_poses(bytes); });
     attempt([&] { load_gltf_scene(file_of(bytes)); });
     attempt([&] { read_document(bytes); });

@@ -1,7 +1,10 @@
 // Recipes, settings of recipes, and MaterialX documents, and the textures of all of them.
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+
+#include <nlohmann/json.hpp>
 
 #include "app/edit/node_graph.h"
 #include "app/export/emit.h"
@@ -9,6 +12,7 @@
 #include "app/pipeline/material.h"
 #include "app/pipeline/pipeline.h"
 #include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/images.h"
 #include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/edit/leaves.h"
 #include "app/recipe/edit/places.h"
@@ -72,6 +76,11 @@ void use(const Recipe& recipe) {
     require(again == text, "a recipe that is written and read is the same");
     node_graph(recipe);
     recipe_leaves(slider_json(recipe));
+    control_states(Json::parse(text));
+    with_images_for(with_absolute_images(recipe, path_of("a.json")), path_of("a.json"),
+                    scratch_file("b.json", ""));
+    for (int i = 0; i < std::min(2, frame_count(recipe.animation)); ++i)
+        recipe_at(recipe, frame_seconds(recipe.animation, i, 2));
     write_shader(recipe);
     fill(recipe_at(recipe, 0.25));
 }
@@ -155,7 +164,7 @@ std::vector<Target> recipe_targets() {
             {"materialx",
              read_materialx,
              Form::text,
-             {},
+             {"docs/images/serpentine.mtlx"},
              {"<input name=\"",
               " type=\"float\"",
               " value=\"",

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "atlas/base/error.h"
+
 namespace burl::fuzz {
 
 /// The structure of a target's files, which mutations keep.
@@ -42,6 +44,15 @@ void run(const Target& target, const std::string& bytes);
 
 /// The contents of all files that the target begins with, smallest first.
 std::vector<std::string> first_inputs(const Target& target);
+
+/// Does what may find the file wrong, which need not end what else is tried of it.
+template <class Work>
+void attempt(const Work& work) {
+    try {
+        work();
+    } catch (const Error&) {
+    }
+}
 
 /// Ends the program with the sentence unless it holds.
 void require(bool holds, std::string_view sentence);

@@ -1,5 +1,11 @@
 // Manifests, scripts of the editor, points, and records of bakes.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/bake/batch_manifest.h"
@@ -8,12 +14,28 @@
 #include "app/base/sha256.h"
 #include "app/editor/session/script.h"
 #include "app/measure/evaluate_points.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "tests/fuzz/target.h"
 
 namespace burl::fuzz {
 namespace {
 
+void read_words(const std::vector<std::string>& words) {
+    for (const std::string& word : words)
+        attempt([&] {
+            const BatchShard shard = batch_shard(word);
+            require(shard.first(1000) <= shard.last(1000) && shard.last(1000) <= 1000,
+                    "shards are parts of what there is");
+        });
+    for (const BatchEntry& entry : matrix_of_options({"sample:cube"}, words, {1, 3}))
+        require(!entry.where.empty(), "entries have places");
+}
+
+/// A manifest; or a list of words, each of which is an option of a command line or a shard.
 void read_manifest_file(const std::string& bytes) {
+    const Json json = parse_json_value(bytes);
+    if (json.is_array() && std::ranges::all_of(json, [](auto& one) { return one.is_string(); }))
+        return read_words(json);
     for (const BatchEntry& entry : read_manifest(scratch_file("a.json", bytes)))
         require(!entry.where.empty(), "entries have places");
 }
@@ -25,12 +47,45 @@ void read_script(const std::string& bytes) {
             "a script that is written and read is the same");
     ScriptPlayer player(script);
     const auto find = [](const std::string&) { return ItemRect{{0, 0}, {10, 10}}; };
-    for (int frame = 0; frame < 1000 && !player.done(); ++frame) player.next(find);
+    InputScript recorded;
+    for (int frame = 0; frame < 1000 && !player.done(); ++frame)
+        append_frame(recorded, player.next(find).events);
+    parse_script(script_text(recorded), "recorded.json");
 }
 
+void evaluate_noise(const PointFile& file, PrecisionKind precision,
+                    std::vector<std::string> arguments) {
+    CLI::App verb;
+    NoiseOptions noise;
+    noise.add(verb);
+    verb.parse(std::move(arguments));
+    for (const PointResult& result : evaluate_points(noise, file, {precision, {}}))
+        require(std::isfinite(result.float64.value) &&
+                    result.other.has_value() == (precision != PrecisionKind::float64),
+                "noise is finite, and in a second precision where one is asked for");
+}
+
+void evaluate_recipe(const PointFile& file, const std::string& preset,
+                     const std::string& precision) {
+    const Recipe recipe = load_recipe(preset, {"precision.kind=" + precision});
+    for (const PointResult& result : evaluate_points(recipe, file))
+        require(std::isfinite(result.float64.value), "values of recipes are finite");
+}
+
+/// The points, and noises and recipes of all precisions at the first of them.
 void read_points_file(const std::string& bytes) {
-    const PointFile file = read_points(scratch_file("a.csv", bytes));
+    PointFile file = read_points(scratch_file("a.csv", bytes));
     require(file.dimensions >= 1 && file.dimensions <= 4, "points have one to four coordinates");
+    if (file.points.size() > 32) file.points.resize(32);
+    for (const auto kind : {PrecisionKind::float64, PrecisionKind::float32, PrecisionKind::fixed})
+        for (const auto* sum : {"--sum=fbm", "--sum=ridged"})
+            attempt([&] { evaluate_noise(file, kind, {"--octaves=3", sum, "--noise=perlin"}); });
+    attempt([&] {
+        evaluate_noise(file, PrecisionKind::float32, {"--warp=0.5", "--noise=worley"});
+    });
+    for (const auto* preset : {"marble", "oak"})
+        for (const auto* precision : {"float64", "float32", "fixed"})
+            attempt([&] { evaluate_recipe(file, preset, precision); });
 }
 
 /// The record with its digest, as app/bake/up_to_date.cpp writes it.
@@ -38,6 +93,17 @@ std::string with_digest(const Json& record) {
     std::string text = print_json(record);
     text.resize(text.size() - std::min<std::size_t>(text.size(), 3));
     return fmt::format("{}{}{}{}", text, ",\n  \"sha256\": \"", sha256(text), "\"\n}\n");
+}
+
+/// Writes the record that a bake would have written, and asks for it.
+void write_again(const std::string& output, const Json& made_from) {
+    FileDigests digests;
+    const std::string none = output + ".none";
+    const Json report = {{"content", content_of(std::array{output, none}, digests)}};
+    const CommittedFile file = *file_there(output);
+    write_record(output, made_from, {&file, 1}, report);
+    require(report_if_up_to_date(output, made_from) == report,
+            "what was just written is up to date");
 }
 
 /// A record whose digest is right; the outputs that it names are looked for.
@@ -48,6 +114,7 @@ void read_record(const std::string& bytes) {
     const std::string output = scratch_file("a.png", "");
     scratch_file("a.png.burl.json", with_digest(json));
     report_if_up_to_date(output, made_from);
+    write_again(output, made_from);
 }
 
 }  // namespace

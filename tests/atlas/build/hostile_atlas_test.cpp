@@ -2,6 +2,7 @@
 // triangle is turned over or lies on another, and those without area in the texture are counted.
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -15,12 +16,48 @@
 namespace burl {
 namespace {
 
+/// A flat fan of more than a turn round its first point.
+Mesh spiral(int count, double step) {
+    std::vector<Vec3d> points{{0.0, 0.0, 0.0}};
+    std::vector<Triangle> triangles;
+    for (int i = 0; i <= count; ++i) {
+        points.emplace_back(std::cos(step * i), std::sin(step * i), 0.0);
+        if (i > 0) triangles.push_back({0, std::uint32_t(i), std::uint32_t(i) + 1});
+    }
+    return made::mesh_of(points, triangles);
+}
+
+/// Two flat plates with a hole like a star, whose border is longer than the plate's own.
+Mesh plates_with_stars() {
+    constexpr std::uint32_t sides = 64;
+    std::vector<Vec3d> points;
+    std::vector<Triangle> triangles;
+    for (const double height : {0.0, 1.0}) {
+        const auto first = std::uint32_t(points.size());
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / sides;
+            const Vec3d out(std::cos(angle), std::sin(angle), height);
+            const double inner = i % 2 == 0 ? 0.9 : 0.1;
+            points.push_back(out);
+            points.emplace_back(inner * out.x, inner * out.y, height);
+            const std::uint32_t here = first + 2 * i, next = first + 2 * ((i + 1) % sides);
+            triangles.push_back({here, next, here + 1});
+            triangles.push_back({here + 1, next, next + 1});
+        }
+    }
+    return made::mesh_of(points, triangles);
+}
+
 std::vector<made::Named> hostile_meshes() {
     std::vector<made::Named> meshes = made::all();
     meshes.push_back({"tube", made::tube(12, 6, 3.0)});
     meshes.push_back({"ring", made::ring(12, 8)});
     meshes.push_back({"box", made::box(3)});
     meshes.push_back({"many pieces", made::soup(300, 5)});
+    meshes.push_back({"spiral", spiral(10, 0.7)});
+    meshes.push_back({"two turns", spiral(8, 0.5 * std::numbers::pi)});
+    meshes.push_back({"plates with stars", plates_with_stars()});
+    meshes.push_back({"patch-overlap.obj", read_mesh(test::case_file("patch-overlap.obj"))});
     const std::filesystem::path nasty = test::source_folder() + "/assets/meshes/nasty";
     for (const auto& file : std::filesystem::directory_iterator(nasty))
         meshes.push_back({file.path().filename().string(), read_mesh(file.path().string())});

@@ -219,6 +219,20 @@ TEST(Unfolding, AnOpenEdgeEndsAWalkOrMirrorsIt) {
     EXPECT_FALSE(walker(1, {{{0, 0}, {4, 4}, {8, 8}}}, from, to).walk.arrived);
 }
 
+TEST(Unfolding, WalksThatDoNotGetOnAreGivenUp) {
+    const Mesh mesh =
+        made::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}});
+    const EdgeNeighbours neighbours(mesh.triangles, mesh.positions);
+    for (const double side : {0.05, 1e-3, 1e-8}) {
+        Unfolding unfolding(mesh.triangles, mesh.positions, neighbours, AtOpenEdge::mirror);
+        const std::uint32_t first = unfolding.begin(1, {{{0, 0}, {side, 0}, {0, side}}});
+        const Walk walk = unfolding.walk(first, {0.5 * side, 0.5 * side}, {100.0, 40.0});
+        EXPECT_EQ(walk.arrived, side == 0.05) << side;  // by way of more than 2000 squares
+        EXPECT_LT(walk.share, side == 0.05 ? 1.5 : 0.2) << side;
+        EXPECT_EQ(unfolding.size() > 600, side > 1e-5) << side;
+    }
+}
+
 TEST(Unfolding, EdgesOfThreeTrianglesEndWalks) {
     const Walker walker(made::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 1, 1}},
                                       {{0, 1, 2}, {1, 3, 2}, {1, 4, 2}}));

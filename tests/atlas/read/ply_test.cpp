@@ -142,6 +142,7 @@ TEST(ReadPly, BadHeaders) {
                    "a.ply:3: element 'vertex'");
     expect_invalid("a.ply", header("ascii", 1, "property float x\n", 1) + "0\n3 0 0 0\n",
                    "no properties x, y and z");
+    expect_invalid("a.ply", header("ascii", 3, "", 1) + "3 0 1 2\n", "no properties x, y and z");
     expect_invalid("a.ply",
                    header("ascii", 3, xyz, 1, "property int a\n") + "0 0 0\n1 0 0\n0 1 0\n1\n",
                    "'face' has no list");
