@@ -124,9 +124,8 @@ std::vector<ScaleSeries> over_texels(const ScaleSizes& sizes) {
 Json scale_json(const ScaleSeries& series) {
     Json points = Json::array();
     for (const ScalePoint& point : series.points)
-        points.push_back({{"units", point.units},
-                          {"seconds", point.seconds},
-                          {"peak_bytes", point.peak_bytes}});
+        points.push_back(
+            {{"units", point.units}, {"seconds", point.seconds}, {"peak_bytes", point.peak_bytes}});
     return {{"stage", series.stage},
             {"unit", series.unit},
             {"points", points},

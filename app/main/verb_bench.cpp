@@ -68,7 +68,8 @@ void add_bench(CLI::App& program) {
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    verb->add_flag("--large", command->large, "atlas: also 1,000,000 faces, some minutes; scale: up to 10,000,000 "
+    verb->add_flag("--large", command->large,
+                   "atlas: also 1,000,000 faces, some minutes; scale: up to 10,000,000 "
                    "triangles and 16384 x 16384 texels, half an hour");
     verb->add_option(
             "-r,--recipe", command->recipes,
