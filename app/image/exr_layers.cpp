@@ -172,6 +172,7 @@ void encode_tiles(Imf::OStream& stream, const LayerSize& size, std::span<const E
                     zero == LevelZero::counted ? meter : nullptr);
         line += rows_of(rows[0]).height;
     });
+    if (images.size() != layers.size()) throw misuse(layers[0], "has other levels than layers");
     for (const std::vector<FloatImage>& levels : images)
         if (levels.size() + 1 != std::size_t(file.numLevels()))
             throw misuse(layers[0], "does not have all levels down to 1 x 1");
