@@ -7,7 +7,6 @@
 namespace burl {
 namespace {
 
-constexpr int longest_walk = 1 << 14;  ///< triangles of one walk
 /// Sine of a triangle's angle, here or in the plane, below which it has no area to walk from.
 constexpr double least_sine = 1e-12;
 
@@ -57,7 +56,7 @@ Walk Unfolding::walk(std::uint32_t first, const Vec2d& from, const Vec2d& to) {
     const Vec2d way = to - from;
     Walk result{first, 0.0, false};
     bool left = false;
-    for (int step = 0; step < longest_walk; ++step) {
+    for (int step = 0; step < longest_; ++step) {
         const std::uint32_t next = beyond(result.tile, left);
         if (next == closed) break;
         result.tile = next;
