@@ -23,16 +23,16 @@ struct BandsCase {
     AtlasKind kind;
     std::uint32_t size;
     const char* alpha;
-    const char* filter = "none";
+    FilterKind filter = FilterKind::none;
 };
 
 /// Larger than a band at all sizes of these tests.
 Recipe recipe_of(const BandsCase& one) {
     Json json = Json::parse(test::all_channels);
     json["material"]["alpha"] = one.alpha;
-    json["filter"] = one.filter;
     if (std::string(one.alpha) != "opaque") json["material"]["opacity"] = "share";
     Recipe recipe = parse_recipe(json.dump(), "all");
+    recipe.filter.kind = one.filter;
     recipe.atlas.kind = one.kind;
     recipe.atlas.size = one.size;
     return recipe;
@@ -108,7 +108,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, MaterialBands,
                                          BandsCase{AtlasKind::chart, 701, "blend"},  // no halves
                                          BandsCase{AtlasKind::quad, 1024, "mask"},
                                          BandsCase{AtlasKind::patch, 704, "mask"},
-                                         BandsCase{AtlasKind::chart, 700, "blend", "trapezoid"}));
+                                         BandsCase{AtlasKind::chart, 700, "blend",
+                                                   FilterKind::trapezoid}));
 
 }  // namespace
 }  // namespace burl
