@@ -1,8 +1,8 @@
 #include "app/bench/scale.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <functional>
 
@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bake/material.h"
-#include "app/base/stopwatch.h"
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
 #include "app/image/image_io.h"
@@ -49,9 +48,9 @@ class ScaleRuns {
 
     void run(const std::string& stage, std::size_t units, const std::function<void()>& work) {
         forget_peak();
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         work();
-        const double seconds = seconds_since(start);
+        const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
         const double peak = std::max(bytes_told("VmHWM") - before_, 0.0);
         series_of(stage).points.push_back({double(units), seconds, peak});
     }
@@ -124,8 +123,9 @@ std::vector<ScaleSeries> over_texels(const ScaleSizes& sizes) {
 Json scale_json(const ScaleSeries& series) {
     Json points = Json::array();
     for (const ScalePoint& point : series.points)
-        points.push_back(
-            {{"units", point.units}, {"seconds", point.seconds}, {"peak_bytes", point.peak_bytes}});
+        points.push_back({{"units", point.units},
+                          {"processor_seconds", point.seconds},
+                          {"peak_bytes", point.peak_bytes}});
     return {{"stage", series.stage},
             {"unit", series.unit},
             {"points", points},
@@ -133,7 +133,8 @@ Json scale_json(const ScaleSeries& series) {
             {"bytes_per_unit", series.bytes_per_unit()}};
 }
 
-/// Prints the series: per size the time of a unit, in the end how it grows and what a unit takes.
+/// Prints the series: per size the processor's time for a unit, in the end how it grows and what a
+/// unit takes.
 void print_scale(const std::vector<ScaleSeries>& all) {
     std::string unit;
     for (const ScaleSeries& series : all) {

@@ -12,7 +12,7 @@ namespace burl {
 /// One run of a stage.
 struct ScalePoint {
     double units = 0.0;    ///< triangles or texels
-    double seconds = 0.0;  ///< of all threads
+    double seconds = 0.0;  ///< of processor, all threads together: other programs do not count
     /// Most memory resident in the process while the stage ran, with its input, less what there was
     /// before the mesh was made; 0 where the system does not tell.
     double peak_bytes = 0.0;
