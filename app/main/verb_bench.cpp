@@ -70,7 +70,7 @@ void add_bench(CLI::App& program) {
         ->capture_default_str();
     verb->add_flag("--large", command->large,
                    "atlas: also 1,000,000 faces, some minutes; scale: up to 10,000,000 "
-                   "triangles and 16384 x 16384 texels, half an hour");
+                   "triangles and 16384 x 16384 texels, ten minutes and 5 GB");
     verb->add_option(
             "-r,--recipe", command->recipes,
             "synthesis, resynthesis, levels: preset or recipe file, may be repeated; marble, wood "
