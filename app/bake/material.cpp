@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <iterator>
+#include <functional>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "app/bake/material_bands.h"
 #include "app/bake/shared_pictures.h"
 #include "app/image/exr_layers.h"
 #include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
 #include "atlas/build/alpha_levels.h"
-#include "atlas/build/block_levels.h"
-#include "atlas/build/normal_levels.h"
 
 namespace burl {
 
@@ -40,129 +40,210 @@ std::span<const Recipe> all_of(const Pipeline& pipeline, std::span<const Recipe>
     return recipes.empty() ? std::span(&pipeline.recipe(), 1) : recipes;
 }
 
-template <class Code>
-BakedMaterial bake(Pipeline& pipeline, const MaterialAsked& asked, std::span<const Recipe> recipes,
-                   const std::vector<MaterialPicture>& wanted) {
-    std::vector<Image<Rgba<Code>>> images =
-        shared_pictures<Rgba<Code>>(pipeline, recipes, wanted, asked.packing, asked.rough_levels());
+/// The numbers of components of the base colour and of the pictures.
+std::vector<std::size_t> components_of(bool transparent,
+                                       const std::vector<MaterialPicture>& wanted) {
+    std::vector<std::size_t> all{transparent ? std::size_t(4) : std::size_t(3)};
+    for (const MaterialPicture& one : wanted) all.push_back(one.components);
+    return all;
+}
+
+/// The codes of a colour.
+BakedImage color_image(PictureImage codes) {
+    return std::visit(
+        []<class Pixel>(Image<Pixel>& image) -> BakedImage {
+            if constexpr (std::is_constructible_v<BakedImage, Image<Pixel>>)
+                return std::move(image);
+            else
+                return {};
+        },
+        codes);
+}
+
+/// A material of these codes, the base colour's first, without levels.
+BakedMaterial material_of(std::vector<PictureImage> codes,
+                          const std::vector<MaterialPicture>& wanted) {
     BakedMaterial material;
-    if (any_transparent(recipes))
-        material.color = std::move(images[0]);
-    else
-        material.color = without_alpha(images[0]);
+    material.color = color_image(std::move(codes[0]));
     for (std::size_t i = 0; i < wanted.size(); ++i)
         material.pictures.push_back({wanted[i].name,
-                                     packed(std::move(images[i + 1]), wanted[i].components),
+                                     std::move(codes[i + 1]),
                                      {},
                                      wanted[i].plan.is_color,
                                      wanted[i].slots});
     return material;
 }
 
-/// A picture in linear floats, with its MIP levels behind it.
-using FloatLevels = std::vector<Image<RgbaF>>;
-
-/// The component `c` of a pixel.
-template <class Pixel>
-auto& component(Pixel& pixel, std::size_t c) {
-    return c == 0 ? pixel.r : c == 1 ? pixel.g : c == 2 ? pixel.b : pixel.a;
-}
-
-/// Sets the roughness in a picture's levels to that of the normals' levels; `sign` and `offset` say
-/// what the picture holds: offset + sign * roughness.
-void set_roughness(FloatLevels& levels, const std::vector<NormalLevel>& normals, std::size_t c,
-                   float sign, float offset) {
-    for (std::size_t l = 1; l < levels.size() && l <= normals.size(); ++l) {
-        const Image<float>& roughness = normals[l - 1].roughness;
-        for (std::size_t y = 0; y < roughness.height(); ++y)
-            for (std::size_t x = 0; x < roughness.width(); ++x)
-                component(levels[l](x, y), c) = offset + sign * roughness(x, y);
-    }
-}
-
-/// The levels of the normal map with the roughness of a picture, which gets theirs.
-std::vector<NormalLevel> levels_with_normals(Pipeline& pipeline, const MaterialAsked& asked,
-                                             std::span<const Recipe> recipes,
-                                             const MaterialPicture& picture, FloatLevels& levels) {
-    const std::size_t c = *picture.roughness;
-    const float sign = std::signbit(picture.plan.components[c].factor) ? -1.0f : 1.0f;
-    const auto offset = float(picture.plan.components[c].offset);
-    const auto roughness = converted<float>(
-        levels[0], [&](const RgbaF& pixel) { return sign * (component(pixel, c) - offset); });
-    const Image<RgbF> map = shared_normals<RgbF>(pipeline, recipes, asked.crease_degrees, true);
-    std::vector<NormalLevel> normals =
-        normal_levels(pipeline.mesh_atlas(), map, roughness, asked.levels);
-    set_roughness(levels, normals, c, sign, offset);
-    return normals;
-}
-
-/// All pictures, the base colour first, in linear floats with their levels, and those of the
-/// normal map.
-struct FloatMaterial {
-    std::vector<FloatLevels> pictures{};
-    std::vector<Image<RgbF>> normals{};
-};
-
-FloatMaterial float_material(Pipeline& pipeline, const MaterialAsked& asked,
-                             std::span<const Recipe> recipes,
-                             const std::vector<MaterialPicture>& wanted) {
-    std::vector<Image<RgbaF>> images =
-        shared_pictures<RgbaF>(pipeline, recipes, wanted, asked.packing, asked.rough_levels());
-    const std::optional<double> cutoff = mask_cutoff(recipes);
-    pipeline.context().begin(tasks::levels);
-    FloatMaterial material;
-    for (std::size_t i = 0; i < images.size(); ++i) {
-        FloatLevels means =
-            i == 0 && cutoff
-                ? masked_levels(pipeline.mesh_atlas(), images[i], float(*cutoff), asked.levels)
-                : block_levels(pipeline.mesh_atlas(), images[i], asked.levels);
-        FloatLevels& levels = material.pictures.emplace_back();
-        levels.push_back(std::move(images[i]));
-        std::ranges::move(means, std::back_inserter(levels));
-        if (i == 0 || !asked.rough_levels() || !wanted[i - 1].roughness) continue;
-        for (NormalLevel& level :
-             levels_with_normals(pipeline, asked, recipes, wanted[i - 1], levels))
-            material.normals.push_back(std::move(level.normals));
-    }
-    return material;
-}
-
-/// A level of a picture in codes.
 template <class Code>
-Image<Rgba<Code>> coded(const Image<RgbaF>& level, bool is_color) {
-    if constexpr (sizeof(Code) == 1)
-        return is_color ? to_rgba8(level, mean_color(level)) : to_linear8(level);
-    else
-        return is_color ? to_rgba16(level, mean_color(level)) : to_linear16(level);
+BakedMaterial bake(Pipeline& pipeline, const MaterialAsked& asked, std::span<const Recipe> recipes,
+                   const std::vector<MaterialPicture>& wanted) {
+    const std::size_t size = pipeline.recipe().atlas.size;
+    const std::vector<std::size_t> components = components_of(any_transparent(recipes), wanted);
+    std::vector<PictureImage> codes(components.size());
+    const auto take = [&](std::size_t first, std::vector<Image<Rgba<Code>>> rows) {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            put_rows(packed(std::move(rows[i]), components[i]), first, size, codes[i]);
+    };
+    shared_pictures_in_bands<Rgba<Code>>(pipeline, recipes, wanted, asked.packing,
+                                         asked.rough_levels(), rows_of_bands(size, codes.size()),
+                                         take);
+    return material_of(std::move(codes), wanted);
 }
+
+/// Takes the rows, from row `first` on, of all pictures.
+using TakeFloats = std::function<void(std::size_t first, const std::vector<FloatPicture>& rows)>;
+
+/// The pictures of a material, the base colour first, in linear floats: level 0 goes by in bands,
+/// and what the levels above it are made of is kept.
+class FloatMaterial {
+  public:
+    /// All must outlive the object.
+    FloatMaterial(Pipeline& pipeline, const MaterialAsked& asked, std::span<const Recipe> recipes,
+                  const std::vector<MaterialPicture>& wanted)
+        : pipeline_(pipeline),
+          asked_(asked),
+          recipes_(recipes),
+          wanted_(wanted),
+          size_(pipeline.recipe().atlas.size),
+          components_(components_of(any_transparent(recipes), wanted)),
+          cutoff_(asked.levels > 0 ? mask_cutoff(recipes) : std::nullopt),
+          levels_(components_.size(), LevelRows(pipeline.mesh_atlas(), asked.levels)) {}
+
+    std::size_t count() const { return components_.size(); }
+    std::size_t components(std::size_t i) const { return components_[i]; }
+
+    /// Gives level 0 to `take`.
+    void run(const TakeFloats& take) {
+        shared_pictures_in_bands<RgbaF>(pipeline_, recipes_, wanted_, asked_.packing,
+                                        asked_.rough_levels(), rows_of_bands(size_, count()),
+                                        [&](std::size_t first, std::vector<Image<RgbaF>> rows) {
+                                            take(first, kept(first, std::move(rows)));
+                                        });
+        pipeline_.context().begin(tasks::levels);
+    }
+
+    /// The levels of picture i, once; run() comes first.
+    std::vector<FloatPicture> levels(std::size_t i) {
+        std::vector<FloatPicture> levels = levels_[i].levels();
+        if (i == 0 && cutoff_) scale(levels);
+        if (i > 0 && is_rough(i)) make_rough(wanted_[i - 1], levels);
+        return levels;
+    }
+
+    /// The levels of the normal map, once; levels() of all pictures come first.
+    std::vector<Image<RgbF>> normals() { return std::move(normals_); }
+
+  private:
+    bool is_rough(std::size_t i) const {
+        return asked_.rough_levels() && wanted_[i - 1].roughness.has_value();
+    }
+
+    /// Keeps of the rows what levels need.
+    std::vector<FloatPicture> kept(std::size_t first, std::vector<Image<RgbaF>> rows) {
+        std::vector<FloatPicture> all;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Image<RgbaF> band = std::move(rows[i]);
+            if (i == 0 && cutoff_) put_rows(Floats(component_of(band, 3)), first, size_, opacity_);
+            if (i > 0 && is_rough(i))
+                put_rows(Floats(component_of(band, *wanted_[i - 1].roughness)), first, size_,
+                         rough_);
+            all.push_back(float_picture(band, components_[i]));
+            if (asked_.levels > 0) levels_[i].add(first, all.back());
+        }
+        return all;
+    }
+
+    /// Gives the levels of a mask as much as level 0 shows.
+    void scale(std::vector<FloatPicture>& levels) {
+        std::vector<Image<RgbaF>> masks;
+        for (FloatPicture& level : levels)
+            masks.push_back(std::get<Image<RgbaF>>(std::move(level)));
+        scale_masks(pipeline_.mesh_atlas(), std::get<0>(opacity_), float(*cutoff_), masks);
+        opacity_ = {};
+        std::ranges::move(masks, levels.begin());
+    }
+
+    /// Makes the levels of the normal map with the roughness of a picture, which gets theirs.
+    void make_rough(const MaterialPicture& picture, std::vector<FloatPicture>& levels) {
+        const PictureComponent& plan = picture.plan.components[*picture.roughness];
+        const float sign = std::signbit(plan.factor) ? -1.0f : 1.0f;
+        const auto offset = float(plan.offset);
+        const Image<float>& rough = std::get<0>(rough_);
+        NormalRows rows(pipeline_.mesh_atlas(), asked_.levels);
+        const auto take = [&](std::size_t first, const Image<RgbF>& normals) {
+            auto roughness = Image<float>::unset(normals.width(), normals.height());
+            for (std::size_t y = 0; y < normals.height(); ++y)
+                std::ranges::transform(rough.row(first + y), roughness.row(y).begin(),
+                                       [&](float value) { return sign * (value - offset); });
+            rows.add(first, normals, roughness);
+        };
+        shared_normals_in_bands(pipeline_, recipes_, asked_.crease_degrees, true,
+                                rows_of_bands(size_, 1), take);
+        rough_ = {};
+        std::vector<NormalLevel> made = rows.levels();
+        set_roughness(levels, made, *picture.roughness, sign, offset);
+        for (NormalLevel& level : made) normals_.push_back(std::move(level.normals));
+    }
+
+    using Floats = std::variant<Image<float>>;
+
+    Pipeline& pipeline_;
+    const MaterialAsked& asked_;
+    std::span<const Recipe> recipes_;
+    const std::vector<MaterialPicture>& wanted_;
+    std::size_t size_;
+    std::vector<std::size_t> components_;
+    std::optional<double> cutoff_;
+    std::vector<LevelRows> levels_;
+    Floats opacity_{}, rough_{};  ///< level 0 of a mask's opacity, and of what holds the roughness
+    std::vector<Image<RgbF>> normals_{};
+};
 
 template <class Code>
 BakedMaterial bake_levels(Pipeline& pipeline, const MaterialAsked& asked,
                           std::span<const Recipe> recipes,
                           const std::vector<MaterialPicture>& wanted) {
     const bool transparent = any_transparent(recipes);
-    FloatMaterial floats = float_material(pipeline, asked, recipes, wanted);
-    BakedMaterial material;
-    for (const Image<RgbaF>& level : floats.pictures[0]) {
-        Image<Rgba<Code>> codes = coded<Code>(level, true);
-        BakedImage image =
-            transparent ? BakedImage(std::move(codes)) : BakedImage(without_alpha(codes));
-        if (&level == floats.pictures[0].data())
-            material.color = std::move(image);
-        else
-            material.color_levels.push_back(std::move(image));
-    }
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        ExportPicture picture{wanted[i].name, {}, {}, wanted[i].plan.is_color, wanted[i].slots};
-        for (const Image<RgbaF>& level : floats.pictures[i + 1])
-            picture.levels.push_back(
-                packed(coded<Code>(level, wanted[i].plan.is_color), wanted[i].components));
-        picture.image = std::move(picture.levels.front());
-        picture.levels.erase(picture.levels.begin());
-        material.pictures.push_back(std::move(picture));
-    }
-    material.normal_levels = std::move(floats.normals);
+    const std::size_t size = pipeline.recipe().atlas.size;
+    FloatMaterial floats(pipeline, asked, recipes, wanted);
+    std::vector<PictureImage> codes(floats.count());
+    const auto is_color = [&](std::size_t i) { return i == 0 || wanted[i - 1].plan.is_color; };
+    ClearTexels clear(transparent ? size : 0);
+    floats.run([&](std::size_t first, const std::vector<FloatPicture>& rows) {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            put_rows(picture_codes<Code>(rows[i], is_color(i)), first, size, codes[i]);
+        if (transparent) clear.add(first, std::get<Image<RgbaF>>(rows[0]));
+    });
+    if (transparent) clear.fill(std::get<Image<Rgba<Code>>>(codes[0]));
+    BakedMaterial material = material_of(std::move(codes), wanted);
+    for (const FloatPicture& level : floats.levels(0))
+        material.color_levels.push_back(color_image(picture_codes<Code>(level, true)));
+    for (std::size_t i = 1; i < floats.count(); ++i)
+        for (const FloatPicture& level : floats.levels(i))
+            material.pictures[i - 1].levels.push_back(picture_codes<Code>(level, is_color(i)));
+    material.normal_levels = floats.normals();
     return material;
+}
+
+/// The layers of the pictures of a material, the base colour's first, without levels.
+std::vector<ExrLayer> layers_of(const FloatMaterial& floats,
+                                const std::vector<MaterialPicture>& wanted) {
+    std::vector<ExrLayer> layers(floats.count());
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (i > 0) layers[i].name = wanted[i - 1].name;
+        layers[i].channels = floats.components(i) == 4   ? "RGBA"
+                             : floats.components(i) == 1 ? "Y"
+                                                         : "RGB";
+    }
+    return layers;
+}
+
+/// References to images, as a file of layers takes them.
+std::vector<FloatImage> float_images(const std::vector<FloatPicture>& pictures) {
+    std::vector<FloatImage> images;
+    for (const FloatPicture& picture : pictures)
+        std::visit([&](const auto& image) { images.emplace_back(&image); }, picture);
+    return images;
 }
 
 }  // namespace
@@ -214,32 +295,22 @@ AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
     separate.packing = Packing::separate;
     const std::vector<MaterialPicture> wanted =
         material_pictures(recipe, separate.packing, separate.rough_levels());
-    const FloatMaterial floats = float_material(pipeline, separate, all_of(pipeline, {}), wanted);
-    std::deque<Image<RgbF>> colors;
-    std::deque<Image<float>> numbers;
-    std::vector<ExrLayer> layers(floats.pictures.size());
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        const bool alpha = i == 0 && is_transparent(recipe);
-        const bool number = i > 0 && wanted[i - 1].components == 1;
-        if (i > 0) layers[i].name = wanted[i - 1].name;
-        layers[i].channels = alpha ? "RGBA" : number ? "Y" : "RGB";
-        for (const Image<RgbaF>& level : floats.pictures[i]) {
-            if (alpha)
-                layers[i].levels.push_back(&level);
-            else if (number)
-                layers[i].levels.push_back(&numbers.emplace_back(
-                    converted<float>(level, [](const RgbaF& p) { return p.r; })));
-            else
-                layers[i].levels.push_back(
-                    &colors.emplace_back(converted<RgbF>(level, [](const RgbaF& p) {
-                        return RgbF{p.r, p.g, p.b};
-                    })));
+    FloatMaterial floats(pipeline, separate, all_of(pipeline, {}), wanted);
+    const std::size_t size = recipe.atlas.size;
+    std::vector<std::vector<FloatPicture>> levels(floats.count());
+    const auto source = [&](const LayerRowSink& sink) {
+        floats.run(
+            [&](std::size_t, const std::vector<FloatPicture>& rows) { sink(float_images(rows)); });
+        std::vector<std::vector<FloatImage>> images;
+        for (std::size_t i = 0; asked.levels > 0 && i < floats.count(); ++i) {
+            levels[i] = floats.levels(i);
+            images.push_back(float_images(levels[i]));
         }
-    }
-    std::uint64_t texels = 0;
-    for (const Image<RgbaF>& level : floats.pictures[0]) texels += level.pixels().size();
-    pipeline.context().begin(tasks::write, texels);
-    return write_exr_layers(path, layers, depth, pipeline.context().meter);
+        pipeline.context().begin(tasks::write, size * size / 3);
+        return images;
+    };
+    return write_exr_layers(path, size, layers_of(floats, wanted), source, asked.levels > 0, depth,
+                            pipeline.context().meter);
 }
 
 std::string numbers_in_no_picture(const Recipe& recipe, Packing packing) {

@@ -25,19 +25,32 @@ void place(const SolidAtlas& shown, Image<Pixel> from, Image<Pixel>& to) {
             std::ranges::copy_n(&from(span.x, y), span.count, &to(span.x, y));
 }
 
-/// Paints over the colour of the pipeline's recipe, which is opaque where it has paint.
+/// Paints over rows, from row `first` on, of the colour of the pipeline's recipe, which is opaque
+/// where it has paint.
 template <class Code>
-void paint(Pipeline& pipeline, Image<Rgba<Code>>& color) {
+void paint(Pipeline& pipeline, std::size_t first, Image<Rgba<Code>>& color) {
     const Recipe& recipe = pipeline.recipe();
     if (!has_color_paint(recipe.paint)) return;
     auto opaque = converted<Rgb<Code>>(color, [](const Rgba<Code>& p) {
         return Rgb<Code>{p.r, p.g, p.b};
     });
-    paint_over(pipeline.solid(), recipe.paint, pipeline.context().way.threads, opaque);
+    paint_over(pipeline.solid(), recipe.paint, pipeline.context().way.threads, opaque, first);
     const Code full = std::is_floating_point_v<Code> ? Code(1) : std::numeric_limits<Code>::max();
     color = converted<Rgba<Code>>(opaque, [&](const Rgb<Code>& p) {
         return Rgba<Code>{p.r, p.g, p.b, full};
     });
+}
+
+Error was_stopped() {
+    return Error(ExitCode::runtime, "the bake was stopped before it was done");
+}
+
+/// The plans of the base colour and of the pictures.
+std::vector<PicturePlan> plans_of(const Pipeline& pipeline,
+                                  const std::vector<MaterialPicture>& pictures) {
+    std::vector<PicturePlan> plans{base_color_plan(pipeline.recipe())};
+    for (const MaterialPicture& one : pictures) plans.push_back(one.plan);
+    return plans;
 }
 
 /// Level 0 of the pictures of the pipeline's recipe, the base colour first. Throws Error(runtime)
@@ -45,11 +58,9 @@ void paint(Pipeline& pipeline, Image<Rgba<Code>>& color) {
 template <class Pixel>
 std::vector<Image<Pixel>> own_pictures(Pipeline& pipeline,
                                        const std::vector<MaterialPicture>& pictures) {
-    std::vector<PicturePlan> plans{base_color_plan(pipeline.recipe())};
-    for (const MaterialPicture& one : pictures) plans.push_back(one.plan);
-    std::vector<Image<Pixel>> images = pipeline.pictures<Pixel>(plans);
-    if (images.empty()) throw Error(ExitCode::runtime, "the bake was stopped before it was done");
-    paint(pipeline, images[0]);
+    std::vector<Image<Pixel>> images = pipeline.pictures<Pixel>(plans_of(pipeline, pictures));
+    if (images.empty()) throw was_stopped();
+    paint(pipeline, 0, images[0]);
     return images;
 }
 
@@ -123,6 +134,29 @@ std::vector<Image<Pixel>> shared_pictures(Pipeline& pipeline, std::span<const Re
 }
 
 template <class Pixel>
+void shared_pictures_in_bands(Pipeline& pipeline, std::span<const Recipe> recipes,
+                              const std::vector<MaterialPicture>& wanted, Packing packing,
+                              bool rough_levels, std::size_t rows,
+                              const TakePictures<Pixel>& take) {
+    if (recipes.size() > 1)
+        return take(0, shared_pictures<Pixel>(pipeline, recipes, wanted, packing, rough_levels));
+    const auto take_rows = [&](std::size_t first, std::vector<Image<Pixel>> bands) {
+        paint(pipeline, first, bands[0]);
+        take(first, std::move(bands));
+    };
+    pipeline.pictures_in_bands<Pixel>(plans_of(pipeline, wanted), rows, take_rows);
+    if (pipeline.context().stop.stop_requested()) throw was_stopped();
+}
+
+void shared_normals_in_bands(Pipeline& pipeline, std::span<const Recipe> recipes,
+                             double crease_degrees, bool tangent_space, std::size_t rows,
+                             const TakeNormals& take) {
+    if (recipes.size() > 1)
+        return take(0, shared_normals<RgbF>(pipeline, recipes, crease_degrees, tangent_space));
+    pipeline.normals_in_bands(crease_degrees, tangent_space, rows, take);
+}
+
+template <class Pixel>
 Image<Pixel> shared_normals(Pipeline& pipeline, std::span<const Recipe> recipes,
                             double crease_degrees, bool tangent_space) {
     if (recipes.size() == 1) return pipeline.normal_map<Pixel>(crease_degrees, tangent_space);
@@ -156,6 +190,15 @@ template std::vector<Image<Rgba16>> shared_pictures(Pipeline&, std::span<const R
 template std::vector<Image<RgbaF>> shared_pictures(Pipeline&, std::span<const Recipe>,
                                                    const std::vector<MaterialPicture>&, Packing,
                                                    bool);
+template void shared_pictures_in_bands(Pipeline&, std::span<const Recipe>,
+                                       const std::vector<MaterialPicture>&, Packing, bool,
+                                       std::size_t, const TakePictures<Rgba8>&);
+template void shared_pictures_in_bands(Pipeline&, std::span<const Recipe>,
+                                       const std::vector<MaterialPicture>&, Packing, bool,
+                                       std::size_t, const TakePictures<Rgba16>&);
+template void shared_pictures_in_bands(Pipeline&, std::span<const Recipe>,
+                                       const std::vector<MaterialPicture>&, Packing, bool,
+                                       std::size_t, const TakePictures<RgbaF>&);
 template Image<Rgb8> shared_normals(Pipeline&, std::span<const Recipe>, double, bool);
 template Image<Rgb16> shared_normals(Pipeline&, std::span<const Recipe>, double, bool);
 template Image<RgbF> shared_normals(Pipeline&, std::span<const Recipe>, double, bool);

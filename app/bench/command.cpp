@@ -47,6 +47,7 @@ constexpr std::array suites{
     Suite{"precision", "--repeats --json --simd", "texels a side", 8, 4096, "512"},
     Suite{"resynthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},
     Suite{"rivals", "--repeats --json --simd", "texels a side", 32, batch_capacity, "512"},
+    Suite{"scale", "--large --json"},
     Suite{"stability", "--json --simd --thorough --case"},
     Suite{"synthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},
     Suite{"uv", "--json", "texels a side", 16, 4096, "512"},

@@ -67,6 +67,7 @@ void run_noise_bench(const BenchCommand& command);
 void run_precision_bench(const BenchCommand& command);
 void run_resynthesis_bench(const BenchCommand& command);
 void run_rivals_bench(const BenchCommand& command);
+void run_scale_bench(const BenchCommand& command);
 void run_synthesis_bench(const BenchCommand& command);
 void run_uv_bench(const BenchCommand& command);
 // Defined in app/bench/gl.

@@ -24,6 +24,14 @@ Image<Rgba<Code>> divided(const Image<RgbaF>& image, const RgbF& transparent) {
 }
 
 template <class Code>
+Image<Rgb<Code>> numbers(const Image<RgbF>& image) {
+    const auto code = [](float v) { return linear_code<Code>(double(v)); };
+    return converted<Rgb<Code>>(image, [&](const RgbF& p) {
+        return Rgb<Code>{code(p.r), code(p.g), code(p.b)};
+    });
+}
+
+template <class Code>
 Image<Rgba<Code>> numbers(const Image<RgbaF>& image) {
     const auto code = [](float v) { return linear_code<Code>(double(v)); };
     return converted<Rgba<Code>>(image, [&](const RgbaF& p) {
@@ -49,11 +57,21 @@ Image<Rgba16> to_rgba16(const Image<RgbaF>& image, const RgbF& transparent) {
     return divided<std::uint16_t>(image, transparent);
 }
 
+void ColorMean::add(const Image<RgbaF>& rows) {
+    Vec4d sum = sum_;
+    for (const RgbaF& p : rows.pixels()) sum += Vec4d(p.r, p.g, p.b, p.a);
+    sum_ = sum;
+}
+
+RgbF ColorMean::mean() const {
+    if (!(sum_.w > 0.0)) return {};
+    return {float(sum_.x / sum_.w), float(sum_.y / sum_.w), float(sum_.z / sum_.w)};
+}
+
 RgbF mean_color(const Image<RgbaF>& image) {
-    Vec4d sum(0.0);
-    for (const RgbaF& p : image.pixels()) sum += Vec4d(p.r, p.g, p.b, p.a);
-    if (!(sum.w > 0.0)) return {};
-    return {float(sum.x / sum.w), float(sum.y / sum.w), float(sum.z / sum.w)};
+    ColorMean mean;
+    mean.add(image);
+    return mean.mean();
 }
 
 Image<Grey8> to_grey8(const Image<float>& image) {
@@ -62,6 +80,14 @@ Image<Grey8> to_grey8(const Image<float>& image) {
 
 Image<Grey16> to_grey16(const Image<float>& image) {
     return converted<Grey16>(image, linear_code<Grey16>);
+}
+
+Image<Rgb8> to_linear8(const Image<RgbF>& image) {
+    return numbers<std::uint8_t>(image);
+}
+
+Image<Rgb16> to_linear16(const Image<RgbF>& image) {
+    return numbers<std::uint16_t>(image);
 }
 
 Image<Rgba8> to_linear8(const Image<RgbaF>& image) {

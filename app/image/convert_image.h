@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "atlas/base/image.h"
+#include "atlas/base/vec.h"
 
 namespace burl {
 
@@ -38,12 +39,24 @@ Image<Rgba16> to_rgba16(const Image<RgbaF>& image, const RgbF& transparent = {})
 /// is transparent. The least wrong colour for its transparent texels.
 RgbF mean_color(const Image<RgbaF>& image);
 
+/// The mean_color() of an image that comes in rows from the top down.
+class ColorMean {
+  public:
+    void add(const Image<RgbaF>& rows);
+    RgbF mean() const;
+
+  private:
+    Vec4d sum_{0.0};
+};
+
 /// Numbers from 0 to 1 (roughness, metalness, heights) as linear codes, rounded to the nearest.
 /// Values outside are clamped; NaN gives 0.
 Image<Grey8> to_grey8(const Image<float>& image);
 Image<Grey16> to_grey16(const Image<float>& image);
 
-/// Numbers in all four components as linear codes, rounded to the nearest.
+/// Numbers in three or four components as linear codes, rounded to the nearest.
+Image<Rgb8> to_linear8(const Image<RgbF>& image);
+Image<Rgb16> to_linear16(const Image<RgbF>& image);
 Image<Rgba8> to_linear8(const Image<RgbaF>& image);
 Image<Rgba16> to_linear16(const Image<RgbaF>& image);
 

@@ -2,6 +2,8 @@
 // OpenEXR files of several images: a material's channels beside one another, or one image with
 // opacity. Halves or floats as in exr_io.h; colours with opacity are premultiplied, as the format
 // defines.
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <variant>
@@ -35,5 +37,19 @@ struct ExrLayer {
 /// committed. A meter gets the texels of all levels, once for all layers, as they are written.
 AtomicFile write_exr_layers(const std::string& path, std::span<const ExrLayer> layers,
                             ExrDepth depth = ExrDepth::half, TaskMeter* meter = nullptr);
+
+/// Takes the next rows of all layers' level 0, an image per layer.
+using LayerRowSink = std::function<void(std::span<const FloatImage> rows)>;
+/// Passes all rows of level 0 to the sink, from the top down, in bands of a multiple of 64 rows but
+/// for the last, and then returns each layer's MIP levels 1, 2, ..., which outlive the writing;
+/// nothing for a file without levels.
+using LayerRowSource = std::function<std::vector<std::vector<FloatImage>>(const LayerRowSink&)>;
+
+/// Writes the same file of `size` x `size` pixels from rows that need not be in memory together;
+/// the layers have no levels of their own. The meter gets the texels of levels above level 0.
+AtomicFile write_exr_layers(const std::string& path, std::size_t size,
+                            std::span<const ExrLayer> layers, const LayerRowSource& source,
+                            bool has_levels, ExrDepth depth = ExrDepth::half,
+                            TaskMeter* meter = nullptr);
 
 }  // namespace burl

@@ -76,6 +76,8 @@ AtomicFile write_exr_stream(const std::string& path, const char* what, std::size
         encode(stream);
     } catch (const Error&) {
         throw;
+    } catch (const std::bad_alloc&) {
+        throw;  // of the rows' maker, which is not an encoder's failure
     } catch (const std::exception& e) {
         stream.check();
         throw Error(ExitCode::runtime, fmt::format("the {} of {} x {} could not be encoded: {}",

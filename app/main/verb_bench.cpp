@@ -37,6 +37,7 @@ constexpr std::array suite_runs{
     SuiteRun{"precision", run_precision_bench},
     SuiteRun{"resynthesis", run_resynthesis_bench},
     SuiteRun{"rivals", run_rivals_bench},
+    SuiteRun{"scale", run_scale_bench},
     SuiteRun{"stability", run_stability_bench},
     SuiteRun{"synthesis", run_synthesis_bench},
     SuiteRun{"uv", run_uv_bench},
@@ -58,7 +59,7 @@ void add_bench(CLI::App& program) {
     verb->add_option(
             "suite", command->suite,
             "mesh_io, atlas, synthesis, resynthesis, levels, economy, filter, noise, forward, "
-            "gl, kernels, open, precision, rivals, stability, editor or uv")
+            "gl, kernels, open, precision, rivals, scale, stability, editor or uv")
         ->required()
         ->check(one_of(bench_suite_names()));
     verb->add_option("file", command->file,
@@ -67,7 +68,9 @@ void add_bench(CLI::App& program) {
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    verb->add_flag("--large", command->large, "atlas: also 1,000,000 faces, some minutes");
+    verb->add_flag("--large", command->large,
+                   "atlas: also 1,000,000 faces, some minutes; scale: up to 10,000,000 "
+                   "triangles and 16384 x 16384 texels, ten minutes and 5 GB");
     verb->add_option(
             "-r,--recipe", command->recipes,
             "synthesis, resynthesis, levels: preset or recipe file, may be repeated; marble, wood "

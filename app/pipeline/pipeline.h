@@ -83,6 +83,14 @@ class Pipeline {
         return stages_.texture.run_pictures<Pixel>(context_, solid(level), recipe_, masks(), plans,
                                                    stop);
     }
+    /// Gives the pictures of the recipe's material, as pictures() makes them, to `take` in bands of
+    /// `rows` rows; not all of them where the context is stopped.
+    template <class Pixel>
+    void pictures_in_bands(const std::vector<PicturePlan>& plans, std::size_t rows,
+                           const TakePictures<Pixel>& take) {
+        stages_.texture.run_pictures_in_bands<Pixel>(context_, solid(), recipe_, masks(), plans,
+                                                     rows, take);
+    }
     /// Whether the texture can be synthesised in bands of rows: by the host without a cache.
     bool has_bands() const { return context_.cache == 0 && !context_.synthesizer; }
     /// Gives the texture in linear light to `take` in bands whose rows are a multiple of band_rows
@@ -119,6 +127,13 @@ class Pipeline {
         const SolidAtlas& points = solid();
         return stages_.normals.run<Pixel>(context_, mesh_, mesh_atlas(), points, recipe_, masks(),
                                           crease_degrees, tangent_space);
+    }
+    /// Gives the map of normal_map() in floats to `take` in bands of `rows` rows.
+    void normals_in_bands(double crease_degrees, bool tangent_space, std::size_t rows,
+                          const TakeNormals& take) {
+        const SolidAtlas& points = solid();
+        stages_.normals.run_in_bands(context_, mesh_, mesh_atlas(), points, recipe_, masks(),
+                                     crease_degrees, tangent_space, rows, take);
     }
 
     /// Frees the solid points, some 170 bytes per triangle, masks, and the cached textures and

@@ -307,6 +307,32 @@ Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const Mes
     return map;
 }
 
+void NormalStage::run_in_bands(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
+                               const SolidAtlas& solid, const Recipe& recipe,
+                               const MaskSource& masks, double crease_degrees, bool tangent_space,
+                               std::size_t rows, const TakeNormals& take) {
+    const NormalFramesKey key{recipe.solid.space, crease_degrees, tangent_space};
+    const MaskImages read = masks(solid, recipe.bump.input, GraphOutput::color, {});
+    context.records.time(Stage::normals, [&](StageCost& cost) {
+        if (!frames_ || frames_->key != key) frames_ = make_normal_frames(mesh, atlas, key);
+        context.begin(tasks::normals);
+        const auto take_rows = [&](std::size_t first, const Image<RgbF>& band) {
+            cost.bytes += bytes_of(band);
+            take(first, band);
+        };
+        synthesize_normals_in_bands(solid,
+                                    {atlas.mesh(mesh), atlas.atlas(), frames_->positions,
+                                     frames_->normals, frames_->tangents},
+                                    recipe.bump, texture_from_solid(recipe), recipe.filter,
+                                    context.way.threads, graph_precision(recipe), read,
+                                    {.stop = context.stop, .meter = context.meter}, rows,
+                                    take_rows);
+        cost.work.texels = texels_of(solid);
+        return true;
+    });
+    frames_.reset();
+}
+
 template Image<RgbF> NormalStage::run(StageContext&, const Mesh&, const MeshAtlas&,
                                       const SolidAtlas&, const Recipe&, const MaskSource&, double,
                                       bool);

@@ -23,6 +23,7 @@
 #include "app/surface/tangents.h"
 #include "atlas/build/mesh_atlas.h"
 #include "atlas/solid/texel_set.h"
+#include "procedural/fill/normals.h"
 #include "procedural/fill/pictures.h"
 
 namespace burl {
@@ -139,6 +140,12 @@ class TextureStage {
                                            const Recipe& recipe, const MaskSource& masks,
                                            const std::vector<PicturePlan>& plans,
                                            const std::stop_token& stop) const;
+    /// Gives the pictures of run_pictures() to `take` in bands of `rows` rows, whose time is not
+    /// counted as synthesis. The result is not whole where the context is stopped.
+    template <class Pixel>
+    void run_pictures_in_bands(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
+                               const MaskSource& masks, const std::vector<PicturePlan>& plans,
+                               std::size_t rows, const TakePictures<Pixel>& take) const;
     /// The texture of a program that shows it while it changes; valid until the next call for that
     /// level. Null if `stop` was requested first. Defined for Rgb8, Rgb16 and RgbF.
     template <class Pixel>
@@ -191,6 +198,11 @@ class NormalStage {
     Image<Pixel> run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
                      const SolidAtlas& solid, const Recipe& recipe, const MaskSource& masks,
                      double crease_degrees, bool tangent_space);
+    /// Gives the map in floats to `take` in bands of `rows` rows; none of it is kept.
+    void run_in_bands(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
+                      const SolidAtlas& solid, const Recipe& recipe, const MaskSource& masks,
+                      double crease_degrees, bool tangent_space, std::size_t rows,
+                      const TakeNormals& take);
     void forget() { map_.reset(); }
     void forget_frames() { frames_.reset(); }
 

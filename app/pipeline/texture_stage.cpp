@@ -146,6 +146,31 @@ std::vector<Image<Pixel>> TextureStage::run_pictures(StageContext& context, cons
 }
 
 template <class Pixel>
+void TextureStage::run_pictures_in_bands(StageContext& context, const SolidAtlas& solid,
+                                         const Recipe& recipe, const MaskSource& masks,
+                                         const std::vector<PicturePlan>& plans, std::size_t rows,
+                                         const TakePictures<Pixel>& take) const {
+    using Clock = std::chrono::steady_clock;
+    const MaskImages read = masks(solid, recipe.texture, GraphOutput::planes, context.stop);
+    if (context.stop.stop_requested()) return;
+    StageCost cost;
+    std::chrono::duration<double> taking{};
+    const auto start = Clock::now();
+    const auto take_rows = [&](std::size_t first, std::vector<Image<Pixel>> bands) {
+        const auto filled = Clock::now();
+        for (const Image<Pixel>& band : bands) cost.bytes += bytes_of(band);
+        take(first, std::move(bands));
+        taking += Clock::now() - filled;
+    };
+    synthesize_pictures_in_bands<Pixel>(
+        solid, recipe.texture, plans, texture_from_solid(recipe), recipe.filter,
+        context.way.threads, recipe.precision.kind.value_or(PrecisionKind::float32),
+        begun(context, cost, solid, context.stop), read, rows, take_rows);
+    const std::chrono::duration<double> all = Clock::now() - start;
+    context.records.add(Stage::synthesis, (all - taking).count(), cost);
+}
+
+template <class Pixel>
 const Image<Pixel>* TextureStage::show(StageContext& context, const SolidAtlas& solid,
                                        const Recipe& recipe, const MaskSource& masks,
                                        std::uint32_t number, const std::stop_token& stop) {
@@ -192,6 +217,18 @@ template std::vector<Image<RgbaF>> TextureStage::run_pictures(StageContext&, con
                                                               const Recipe&, const MaskSource&,
                                                               const std::vector<PicturePlan>&,
                                                               const std::stop_token&) const;
+template void TextureStage::run_pictures_in_bands(StageContext&, const SolidAtlas&, const Recipe&,
+                                                  const MaskSource&,
+                                                  const std::vector<PicturePlan>&, std::size_t,
+                                                  const TakePictures<Rgba8>&) const;
+template void TextureStage::run_pictures_in_bands(StageContext&, const SolidAtlas&, const Recipe&,
+                                                  const MaskSource&,
+                                                  const std::vector<PicturePlan>&, std::size_t,
+                                                  const TakePictures<Rgba16>&) const;
+template void TextureStage::run_pictures_in_bands(StageContext&, const SolidAtlas&, const Recipe&,
+                                                  const MaskSource&,
+                                                  const std::vector<PicturePlan>&, std::size_t,
+                                                  const TakePictures<RgbaF>&) const;
 template const Image<Rgb8>* TextureStage::show(StageContext&, const SolidAtlas&, const Recipe&,
                                                const MaskSource&, std::uint32_t,
                                                const std::stop_token&);

@@ -73,12 +73,12 @@ std::vector<Opacity> opacities_of(const Image<RgbaF>& image, const Image<float>&
 }
 
 /// The share of a region's surface that a level shows; 0 without surface.
-double shown_share(const Image<RgbaF>& image, const Image<float>& weights, const Region& region,
+double shown_share(const Image<float>& opacities, const Image<float>& weights, const Region& region,
                    float cutoff) {
     double shown = 0.0, all = 0.0;
     visit_texels(region, 0, [&](std::size_t x, std::size_t y) {
         all += double(weights(x, y));
-        if (image(x, y).a >= cutoff) shown += double(weights(x, y));
+        if (opacities(x, y) >= cutoff) shown += double(weights(x, y));
     });
     return all > 0.0 ? shown / all : 0.0;
 }
@@ -113,12 +113,12 @@ RgbaF with_opacity_times(const RgbaF& p, double factor) {
     return {float(p.r * ratio), float(p.g * ratio), float(p.b * ratio), float(opacity)};
 }
 
-void scale_level(const MeshAtlas& atlas, const Image<RgbaF>& texture, const Image<float>& weights,
+void scale_level(const MeshAtlas& atlas, const Image<float>& opacities, const Image<float>& weights,
                  float cutoff, std::uint32_t number, Image<RgbaF>& level) {
     const Image<float> level_weights = weights_of(atlas, number, level.width());
     for (const Region& region : regions_of(atlas, number)) {
         const std::vector<Opacity> sorted = opacities_of(level, level_weights, region, number);
-        const double share = shown_share(texture, weights, region, cutoff);
+        const double share = shown_share(opacities, weights, region, cutoff);
         const double factor = factor_for(sorted, share, cutoff);
         visit_texels(region, number, [&](std::size_t x, std::size_t y) {
             level(x, y) = with_opacity_times(level(x, y), factor);
@@ -131,11 +131,16 @@ void scale_level(const MeshAtlas& atlas, const Image<RgbaF>& texture, const Imag
 std::vector<Image<RgbaF>> masked_levels(const MeshAtlas& atlas, const Image<RgbaF>& image,
                                         float cutoff, std::uint32_t levels) {
     std::vector<Image<RgbaF>> result = block_levels(atlas, image, levels);
-    if (!(cutoff > 0.0f && cutoff <= 1.0f)) return result;
-    const Image<float> weights = weights_of(atlas, 0, image.width());
-    for (std::uint32_t l = 1; l <= result.size(); ++l)
-        scale_level(atlas, image, weights, cutoff, l, result[l - 1]);
+    scale_masks(atlas, converted<float>(image, [](const RgbaF& p) { return p.a; }), cutoff, result);
     return result;
+}
+
+void scale_masks(const MeshAtlas& atlas, const Image<float>& opacities, float cutoff,
+                 std::span<Image<RgbaF>> levels) {
+    if (!(cutoff > 0.0f && cutoff <= 1.0f)) return;
+    const Image<float> weights = weights_of(atlas, 0, opacities.width());
+    for (std::uint32_t l = 1; l <= levels.size(); ++l)
+        scale_level(atlas, opacities, weights, cutoff, l, levels[l - 1]);
 }
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 // (Castano, "Computing Alpha Mipmaps", 2010). Blended textures need only means of premultiplied
 // texels, block_levels() of RgbaF.
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "atlas/base/image.h"
@@ -20,5 +21,10 @@ namespace burl {
 /// unless texels have equal opacities. A cutoff that is not in (0, 1] leaves the means.
 std::vector<Image<RgbaF>> masked_levels(const MeshAtlas& atlas, const Image<RgbaF>& image,
                                         float cutoff, std::uint32_t levels);
+
+/// Turns the means of a premultiplied texture, its levels 1, 2, ..., into those of masked_levels();
+/// `opacities` are those of its level 0.
+void scale_masks(const MeshAtlas& atlas, const Image<float>& opacities, float cutoff,
+                 std::span<Image<RgbaF>> levels);
 
 }  // namespace burl

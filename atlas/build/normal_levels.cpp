@@ -32,7 +32,18 @@ float widened(float mean, double r, double lack) {
     return float(std::min(std::sqrt(std::sqrt(squared + 2.0 * variance)), 1.0));
 }
 
-NormalLevel level_of(const Image<Vec4f>& moments) {
+}  // namespace
+
+Image<Vec4f> normal_moments(const Image<RgbF>& normals, const Image<float>& roughness) {
+    auto moments = Image<Vec4f>::unset(normals.width(), normals.height());
+    for_each_index(normals.pixels().size(), [&](std::size_t i) {
+        const std::size_t x = i % normals.width(), y = i / normals.width();
+        moments(x, y) = moments_of(normals(x, y), roughness(x, y));
+    });
+    return moments;
+}
+
+NormalLevel normal_level(const Image<Vec4f>& moments) {
     NormalLevel level{{moments.width(), moments.height()}, {moments.width(), moments.height()}};
     for_each_index(moments.pixels().size(), [&](std::size_t i) {
         const std::size_t x = i % moments.width(), y = i / moments.width();
@@ -47,19 +58,17 @@ NormalLevel level_of(const Image<Vec4f>& moments) {
     return level;
 }
 
-}  // namespace
+std::vector<NormalLevel> normal_levels(const MeshAtlas& atlas, const Image<Vec4f>& moments,
+                                       std::uint32_t levels, std::uint32_t first) {
+    std::vector<NormalLevel> result;
+    for (const Image<Vec4f>& level : block_levels(atlas, moments, levels, first))
+        result.push_back(normal_level(level));
+    return result;
+}
 
 std::vector<NormalLevel> normal_levels(const MeshAtlas& atlas, const Image<RgbF>& normals,
                                        const Image<float>& roughness, std::uint32_t levels) {
-    auto moments = Image<Vec4f>::unset(normals.width(), normals.height());
-    for_each_index(normals.pixels().size(), [&](std::size_t i) {
-        const std::size_t x = i % normals.width(), y = i / normals.width();
-        moments(x, y) = moments_of(normals(x, y), roughness(x, y));
-    });
-    std::vector<NormalLevel> result;
-    for (const Image<Vec4f>& level : block_levels(atlas, moments, levels))
-        result.push_back(level_of(level));
-    return result;
+    return normal_levels(atlas, normal_moments(normals, roughness), levels, 0);
 }
 
 }  // namespace burl

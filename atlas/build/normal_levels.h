@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "atlas/base/image.h"
+#include "atlas/base/vec.h"
 #include "atlas/build/mesh_atlas.h"
 
 namespace burl {
@@ -24,5 +25,15 @@ struct NormalLevel {
 /// (m^4 + 2 (1 - r) / r)^(1/4), at most 1. Equal normals leave m as it is up to 1e-6 in alpha^2.
 std::vector<NormalLevel> normal_levels(const MeshAtlas& atlas, const Image<RgbF>& normals,
                                        const Image<float>& roughness, std::uint32_t levels);
+
+/// The numbers of texels whose means make levels: x, y and 1 - z of the unit normal, and the
+/// roughness. The images may be rows of larger ones.
+Image<Vec4f> normal_moments(const Image<RgbF>& normals, const Image<float>& roughness);
+
+/// The levels of normal_levels() that lie above level `first`, of which `moments` are the means.
+std::vector<NormalLevel> normal_levels(const MeshAtlas& atlas, const Image<Vec4f>& moments,
+                                       std::uint32_t levels, std::uint32_t first);
+/// The level that has these means.
+NormalLevel normal_level(const Image<Vec4f>& moments);
 
 }  // namespace burl

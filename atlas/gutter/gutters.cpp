@@ -16,7 +16,8 @@ class GutterFiller {
           edges_(edges),
           box_(box),
           options_(options),
-          unfolding_(mesh.triangles, mesh.positions, neighbours, options.at_open_edge),
+          unfolding_(mesh.triangles, mesh.positions, neighbours, options.at_open_edge,
+                     options.longest_walk),
           first_tile_(edges.size(), no_edge) {}
 
     /// Fills a gap; `nearest` are the numbers of its texels' edges.

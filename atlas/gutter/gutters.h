@@ -38,6 +38,7 @@ struct GutterOptions {
     /// bilinear lookups on the chart's side of a crease mix points of that side only.
     double own_plane = 0.0;
     AtOpenEdge at_open_edge = AtOpenEdge::end;
+    int longest_walk = burl::longest_walk;  ///< triangles at which a walk ends as at an open edge
     bool leaves_open = false;  ///< whether texels stay in no run whose walk an open edge ends
 };
 

@@ -7,7 +7,6 @@
 namespace burl {
 namespace {
 
-constexpr int longest_walk = 1 << 14;  ///< triangles of one walk
 /// Triangles after which a walk that has come less than this share of its way is given up: among
 /// triangles that are nothing beside a texel it would go on to the end, for every texel.
 constexpr int early_triangles = 512;
@@ -68,7 +67,7 @@ Walk Unfolding::walk(std::uint32_t first, const Vec2d& from, const Vec2d& to) {
     const Vec2d way = to - from;
     Walk result{first, 0.0, false};
     bool left = false;
-    for (int step = 0; step < longest_walk; ++step) {
+    for (int step = 0; step < longest_; ++step) {
         const std::uint32_t next = beyond(result.tile, left);
         if (next == closed) break;
         result.tile = next;

@@ -18,6 +18,9 @@ namespace burl {
 /// triangles): it ends, or is mirrored there, as if a copy of the surface lay on its back.
 enum class AtOpenEdge { end, mirror };
 
+/// Triangles of one walk, where nothing else is said.
+inline constexpr int longest_walk = 1 << 14;
+
 /// A triangle that was walked into, and where its corners lie in the plane.
 struct UnfoldedTriangle {
     std::uint32_t triangle = 0;
@@ -36,11 +39,13 @@ struct Walk {
 class Unfolding {
   public:
     Unfolding(std::span<const Triangle> triangles, std::span<const Vec3d> positions,
-              const EdgeNeighbours& neighbours, AtOpenEdge at_open_edge = AtOpenEdge::end)
+              const EdgeNeighbours& neighbours, AtOpenEdge at_open_edge = AtOpenEdge::end,
+              int longest = longest_walk)
         : triangles_(triangles),
           positions_(positions),
           neighbours_(neighbours),
-          at_open_edge_(at_open_edge) {}
+          at_open_edge_(at_open_edge),
+          longest_(longest) {}
 
     /// Makes a triangle walkable from: `places` are its corners in the plane, either way round;
     /// walks will leave it by its edge 3t+k. Returns its tile. If the triangle has no area here or
@@ -49,7 +54,7 @@ class Unfolding {
 
     /// The straight walk from a place on the edge that `first`, a tile of begin(), was made for to
     /// another place in the plane, on the edge's outer side. A walk from the edge's end may also
-    /// lead back at its side. Walks of more than 2^14 triangles end there.
+    /// lead back at its side. Walks of more than `longest` triangles end there.
     Walk walk(std::uint32_t first, const Vec2d& from, const Vec2d& to);
 
     UnfoldedTriangle unfolded(std::uint32_t tile) const;
@@ -82,6 +87,7 @@ class Unfolding {
     std::span<const Vec3d> positions_;
     const EdgeNeighbours& neighbours_;
     AtOpenEdge at_open_edge_;
+    int longest_;
     std::vector<Tile> tiles_;
     std::vector<Start> starts_;
 };

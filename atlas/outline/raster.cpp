@@ -1,6 +1,7 @@
 #include "atlas/outline/raster.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -18,6 +19,12 @@ constexpr std::uint32_t band_rows = 64;  ///< rows of a band
 /// Share of the texture's side up to which texels beside charts show what a walk over the mesh
 /// reaches.
 constexpr std::uint32_t walked_share = 32, least_walked = 8;
+/// Sides of a mean triangle up to which they do, but at least over a cell, which levels without
+/// mixtures of charts average: a walk's time is in the triangles that it crosses, so that of all
+/// texels would grow with the root of the triangles' number.
+constexpr double walked_triangles = 16.0;
+/// Triangles of a walk there: slivers meet by the thousand at the poles of a globe.
+constexpr int longest_short_walk = 128;
 /// Distance from a border, in texels, within which bilinear lookups of the chart may read.
 constexpr double own_plane = 1.5;
 
@@ -83,6 +90,28 @@ class NearTriangles {
     Image<std::uint32_t> near_;
 };
 
+std::uint32_t most_walked(std::uint32_t size) {
+    return std::max(size / walked_share, least_walked);
+}
+
+/// The distance from a border in texels up to which texels show what a walk reaches.
+std::uint32_t walked_texels(const Atlas& atlas) {
+    const std::uint32_t size = atlas.options.size;
+    const std::uint32_t most = most_walked(size);
+    double area = 0.0;
+    std::size_t count = 0;
+    for (const auto& [a, b, c] : atlas.corners) {
+        const double twice = std::abs(cross(b - a, c - a));
+        area += 0.5 * twice;
+        if (twice > 0.0) ++count;
+    }
+    if (count == 0) return most;
+    const double side = std::sqrt(2.0 * area / double(count));
+    const std::uint32_t least = std::min(std::max(outline_cell(size), least_walked), most);
+    return std::uint32_t(
+        std::clamp(std::ceil(walked_triangles * side), double(least), double(most)));
+}
+
 /// Fills bands of rows.
 class BandFiller {
   public:
@@ -91,7 +120,7 @@ class BandFiller {
           charted_{mesh.triangles, positions, atlas.corners, atlas.charts},
           neighbours_(mesh.triangles, positions),
           near_(atlas, outline_cell(size())),
-          reach_(std::max(size() / walked_share, least_walked)),
+          reach_(walked_texels(atlas)),
           triangles_(bands()),
           edges_(bands()) {
         std::vector<std::uint32_t> all(mesh.triangles.size());
@@ -120,7 +149,10 @@ class BandFiller {
         BandSpans result;
         result.gutter = fill_gutter(
             charted_, neighbours_, edges_[band], gaps_between(owner, first), {0, 0, size(), size()},
-            {.reach = double(reach_), .own_plane = own_plane, .at_open_edge = AtOpenEdge::mirror});
+            {.reach = double(reach_),
+             .own_plane = own_plane,
+             .at_open_edge = AtOpenEdge::mirror,
+             .longest_walk = reach_ < most_walked(size()) ? longest_short_walk : longest_walk});
         auto run = result.gutter.runs.begin();
         for (std::uint32_t y = 0; y < owner.height(); ++y) {
             for (std::uint32_t x = 0; x < size();) {

@@ -35,6 +35,14 @@ void for_row_ranges(std::size_t size, std::size_t texels, int threads, const Wor
     arena.execute([&] { tbb::parallel_for(rows, unless_stopped, tbb::simple_partitioner()); });
 }
 
+/// Calls work(rows) as for_row_ranges() does for the `count` rows of a window of an image of `size`
+/// texels a side, in ranges as long as those of the whole image.
+template <class Work>
+void for_window_ranges(std::size_t size, std::size_t count, std::size_t texels, int threads,
+                       const Work& work, const std::stop_token& stop = {}) {
+    for_row_ranges(count, texels * (count + 1) / (size + 1), threads, work, stop);
+}
+
 /// Groups of consecutive rows with at least about `texels` texels each. Groups do not depend on the
 /// number of threads, so decisions that are taken per batch of one group do not, either.
 struct RowGroups {

@@ -115,7 +115,8 @@ void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluat
         }
         queue.flush();
     };
-    for_row_ranges(image.rows().count(), 16 * graph_batch_size, threads, fill_rows, economy.stop);
+    for_window_ranges(solid.size, image.rows().count(), 16 * graph_batch_size, threads, fill_rows,
+                      economy.stop);
 }
 
 }  // namespace burl

@@ -1,6 +1,8 @@
 #include "procedural/fill/normals.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "atlas/solid/texel_owners.h"
 #include "procedural/fill/graph_texels.h"
@@ -113,6 +115,29 @@ struct NormalEncoder<RgbF> {
     }
 };
 
+/// Gives the map to take(first, image) in bands of rows.
+template <class Pixel, class Take>
+void fill_bands(const SolidAtlas& solid, const ShadingFrames& frames, const Bump& bump,
+                const Affine3& texture_from_atlas, const Filter& filter, int threads,
+                PrecisionKind precision, const MaskImages& masks, const Economy& economy,
+                std::size_t rows, const Take& take) {
+    check_masks(bump.input, GraphOutput::color, masks, solid.size);
+    const NormalEncoder<Pixel> encode{};
+    const GraphEvaluator evaluate(bump.input, filter, precision);
+    const BumpShade shade(solid, frames, bump, texture_from_atlas);
+    // Finding the texels' owners takes a tenth of the time; the pace is that of what follows.
+    if (TaskMeter* const meter = economy.meter)
+        meter->begin(meter->read().task, texels_of(solid, 0, solid.size), true);
+    for (std::size_t first = 0; first < solid.size; first += rows) {
+        const std::size_t count = std::min<std::size_t>(rows, solid.size - first);
+        Image<Pixel> image(solid.size, count, encode({0.0, 0.0, 1.0}));
+        fill_texels(solid, texture_from_atlas, evaluate, filter, shade, encode, threads,
+                    RowBand(image, first), economy, masks);
+        take(first, std::move(image));
+        if (economy.stop.stop_requested()) return;
+    }
+}
+
 }  // namespace
 
 template <class Pixel>
@@ -120,17 +145,20 @@ Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& fr
                                 const Bump& bump, const Affine3& texture_from_atlas,
                                 const Filter& filter, int threads, PrecisionKind precision,
                                 const MaskImages& masks, const Economy& economy) {
-    check_masks(bump.input, GraphOutput::color, masks, solid.size);
-    const NormalEncoder<Pixel> encode{};
-    const GraphEvaluator evaluate(bump.input, filter, precision);
-    const BumpShade shade(solid, frames, bump, texture_from_atlas);
-    Image<Pixel> image(solid.size, solid.size, encode({0.0, 0.0, 1.0}));
-    // Finding the texels' owners takes a tenth of the time; the pace is that of what follows.
-    if (TaskMeter* const meter = economy.meter)
-        meter->begin(meter->read().task, texels_of(solid, 0, solid.size), true);
-    fill_texels(solid, texture_from_atlas, evaluate, filter, shade, encode, threads, RowBand(image),
-                economy, masks);
-    return image;
+    Image<Pixel> whole;
+    fill_bands<Pixel>(solid, frames, bump, texture_from_atlas, filter, threads, precision, masks,
+                      economy, solid.size,
+                      [&](std::size_t, Image<Pixel> rows) { whole = std::move(rows); });
+    return whole;
+}
+
+void synthesize_normals_in_bands(const SolidAtlas& solid, const ShadingFrames& frames,
+                                 const Bump& bump, const Affine3& texture_from_atlas,
+                                 const Filter& filter, int threads, PrecisionKind precision,
+                                 const MaskImages& masks, const Economy& economy, std::size_t rows,
+                                 const TakeNormals& take) {
+    fill_bands<RgbF>(solid, frames, bump, texture_from_atlas, filter, threads, precision, masks,
+                     economy, rows, take);
 }
 
 FrameMaps frame_maps(const SolidAtlas& solid, const ShadingFrames& frames, int threads) {

@@ -1,6 +1,8 @@
 #pragma once
 // Synthesis of a normal map of the recipe's bumps: per texel the bumped normal, in the tangent
 // frame that a viewer has there or in the object's space. All arithmetic is float64.
+#include <cstddef>
+#include <functional>
 #include <span>
 
 #include "atlas/base/image.h"
@@ -38,6 +40,17 @@ Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& fr
                                 const Filter& filter, int threads,
                                 PrecisionKind precision = PrecisionKind::float32,
                                 const MaskImages& masks = {}, const Economy& economy = {});
+
+/// Takes the next rows of a normal map, from row `first` on.
+using TakeNormals = std::function<void(std::size_t first, const Image<RgbF>& rows)>;
+
+/// Gives the map of synthesize_normals(), with the same bytes, to `take` in bands of `rows` rows
+/// from the top down; the last may have fewer, and none follows where `economy` is stopped.
+void synthesize_normals_in_bands(const SolidAtlas& solid, const ShadingFrames& frames,
+                                 const Bump& bump, const Affine3& texture_from_atlas,
+                                 const Filter& filter, int threads, PrecisionKind precision,
+                                 const MaskImages& masks, const Economy& economy, std::size_t rows,
+                                 const TakeNormals& take);
 
 /// The tangent frames of an atlas's texel centres, for shaders that make normal maps. A texel has a
 /// unit normal with the bitangent's sign as alpha, and a unit tangent; both are 0 outside every

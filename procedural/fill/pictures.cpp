@@ -1,7 +1,10 @@
 #include "procedural/fill/pictures.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/fill/graph_points.h"
@@ -65,7 +68,7 @@ class ComponentEncoder<float> {
     }
 };
 
-/// Stores batches of planes in pictures.
+/// Stores batches of planes in bands of pictures that begin at a row.
 template <class Code>
 class PictureStore {
   public:
@@ -73,15 +76,15 @@ class PictureStore {
 
     /// All must outlive this object.
     PictureStore(const std::vector<PicturePlan>& plans, const ComponentEncoder<Code>& encode,
-                 std::vector<Image<Pixel>>& pictures)
-        : plans_(plans), encode_(encode), pictures_(pictures) {}
+                 std::vector<Image<Pixel>>& pictures, std::size_t first)
+        : plans_(plans), encode_(encode), pictures_(pictures), first_(first) {}
 
     void operator()(PlaneArrays planes, std::size_t count, std::span<const Piece> pieces) {
         for (std::size_t i = 0; i < plans_.size(); ++i) {
             encode(plans_[i], planes, count);
             const Pixel* from = pixels_;
             for (const Piece& piece : pieces) {
-                std::copy_n(from, piece.solid.count, &pictures_[i](piece.x, piece.y));
+                std::copy_n(from, piece.solid.count, &pictures_[i](piece.x, piece.y - first_));
                 from += piece.solid.count;
             }
         }
@@ -126,6 +129,7 @@ class PictureStore {
     const std::vector<PicturePlan>& plans_;
     const ComponentEncoder<Code>& encode_;
     std::vector<Image<Pixel>>& pictures_;
+    std::size_t first_;
     ComponentArray numbers_;
     alignas(64) Code codes_[4][value_batch + batch_padding];
     Pixel pixels_[value_batch];
@@ -216,12 +220,12 @@ class FootprintQueue {
 template <class Store>
 void fill_footprints(const SolidAtlas& solid, const Affine3& map, const GraphEvaluator& evaluate,
                      std::size_t planes, const Filter& filter, int threads, const Economy& economy,
-                     const MaskImages& masks, const Store& store) {
+                     const RowWindow& window, const MaskImages& masks, const Store& store) {
     const MaskReader reader(masks, map);
     const auto fill_rows = [&](const RowRange& range) {
         const auto queue =
             std::make_unique<FootprintQueue<Store>>(evaluate, planes, filter, reader, store);
-        for (std::size_t y = range.begin(); y != range.end(); ++y) {
+        for (std::size_t y = window.first + range.begin(); y != window.first + range.end(); ++y) {
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
                 const Footprint steps{map.linear * texel.step_x, map.linear * texel.step_y};
@@ -236,10 +240,48 @@ void fill_footprints(const SolidAtlas& solid, const Affine3& map, const GraphEva
         }
         queue->flush();
     };
-    for_row_ranges(solid.size, 16 * graph_batch_size, threads, fill_rows, economy.stop);
+    for_window_ranges(solid.size, window.count(), 16 * graph_batch_size, threads, fill_rows,
+                      economy.stop);
 }
 
 }  // namespace
+
+template <class Pixel>
+void synthesize_pictures_in_bands(const SolidAtlas& solid, const TextureGraph& graph,
+                                  const std::vector<PicturePlan>& plans, const Affine3& map,
+                                  const Filter& filter, int threads, PrecisionKind precision,
+                                  const Economy& economy, const MaskImages& masks, std::size_t rows,
+                                  const TakePictures<Pixel>& take) {
+    check_masks(graph, GraphOutput::planes, masks, solid.size);
+    using Code = decltype(Pixel::r);
+    const ComponentEncoder<Code> encode{};
+    const GraphValues values(graph, &economy.skips, GraphOutput::planes);
+    GraphValues::Scratch scratch = values.make_scratch();
+    values.program().run(1, scratch);  // at the origin
+    std::vector<const double*> origin;
+    for (const Register r : values.results()) origin.push_back(scratch[r]);
+    const bool samples = filter.kind == FilterKind::none || filter.kind == FilterKind::supersample;
+    const bool points = samples && precision == PrecisionKind::float32;
+    std::optional<GraphEvaluator> evaluate;
+    if (!points) evaluate.emplace(graph, filter, precision, GraphOutput::planes);
+    for (std::size_t first = 0; first < solid.size; first += rows) {
+        const RowWindow window = RowWindow{first, first + rows}.of(solid.size);
+        std::vector<Image<Pixel>> pictures;
+        const PictureStore<Code> store(plans, encode, pictures, first);
+        for (const PicturePlan& plan : plans)
+            pictures.emplace_back(solid.size, window.count(),
+                                  *PictureStore<Code>(store).encode(plan, origin, 1));
+        if (points)
+            fill_points(solid, map, values, filter, threads, economy, window, masks, store);
+        else
+            fill_footprints(solid, map, *evaluate, origin.size(), filter, threads, economy, window,
+                            masks, store);
+        if (!points && economy.work)
+            *economy.work += work_of(solid, window, values.program(), filter);
+        take(first, std::move(pictures));
+        if (economy.stop.stop_requested()) return;
+    }
+}
 
 template <class Pixel>
 std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const TextureGraph& graph,
@@ -247,31 +289,11 @@ std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const Tex
                                               const Affine3& map, const Filter& filter, int threads,
                                               PrecisionKind precision, const Economy& economy,
                                               const MaskImages& masks) {
-    check_masks(graph, GraphOutput::planes, masks, solid.size);
-    using Code = decltype(Pixel::r);
-    const ComponentEncoder<Code> encode{};
-    std::vector<Image<Pixel>> pictures;
-    const GraphValues values(graph, &economy.skips, GraphOutput::planes);
-    GraphValues::Scratch scratch = values.make_scratch();
-    values.program().run(1, scratch);  // at the origin
-    std::vector<const double*> origin;
-    for (const Register r : values.results()) origin.push_back(scratch[r]);
-    const PictureStore<Code> store(plans, encode, pictures);
-    for (const PicturePlan& plan : plans)
-        pictures.emplace_back(solid.size, solid.size,
-                              *PictureStore<Code>(store).encode(plan, origin, 1));
-    const bool points = filter.kind == FilterKind::none || filter.kind == FilterKind::supersample;
-    if (points && precision == PrecisionKind::float32) {
-        fill_points(solid, map, values, filter, threads, economy, RowWindow().of(solid.size), masks,
-                    store);
-        return pictures;
-    }
-    const GraphEvaluator evaluate(graph, filter, precision, GraphOutput::planes);
-    fill_footprints(solid, map, evaluate, values.results().size(), filter, threads, economy, masks,
-                    store);
-    if (economy.work)
-        *economy.work += work_of(solid, RowWindow().of(solid.size), values.program(), filter);
-    return pictures;
+    std::vector<Image<Pixel>> whole;
+    synthesize_pictures_in_bands<Pixel>(
+        solid, graph, plans, map, filter, threads, precision, economy, masks, solid.size,
+        [&](std::size_t, std::vector<Image<Pixel>> rows) { whole = std::move(rows); });
+    return whole;
 }
 
 template std::vector<Image<Rgba8>> synthesize_pictures(const SolidAtlas&, const TextureGraph&,
@@ -289,5 +311,20 @@ template std::vector<Image<RgbaF>> synthesize_pictures(const SolidAtlas&, const 
                                                        const Affine3&, const Filter&, int,
                                                        PrecisionKind, const Economy&,
                                                        const MaskImages&);
+template void synthesize_pictures_in_bands(const SolidAtlas&, const TextureGraph&,
+                                           const std::vector<PicturePlan>&, const Affine3&,
+                                           const Filter&, int, PrecisionKind, const Economy&,
+                                           const MaskImages&, std::size_t,
+                                           const TakePictures<Rgba8>&);
+template void synthesize_pictures_in_bands(const SolidAtlas&, const TextureGraph&,
+                                           const std::vector<PicturePlan>&, const Affine3&,
+                                           const Filter&, int, PrecisionKind, const Economy&,
+                                           const MaskImages&, std::size_t,
+                                           const TakePictures<Rgba16>&);
+template void synthesize_pictures_in_bands(const SolidAtlas&, const TextureGraph&,
+                                           const std::vector<PicturePlan>&, const Affine3&,
+                                           const Filter&, int, PrecisionKind, const Economy&,
+                                           const MaskImages&, std::size_t,
+                                           const TakePictures<RgbaF>&);
 
 }  // namespace burl

@@ -3,6 +3,8 @@
 // of texels, so that what channels share is evaluated once, stored as pictures of up to four
 // components each. Points, batches and filters are those of a texture alone (fill/graph.h).
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -49,5 +51,19 @@ std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const Tex
                                               PrecisionKind precision = PrecisionKind::float32,
                                               const Economy& economy = {},
                                               const MaskImages& masks = {});
+
+/// Takes the next rows of pictures, from row `first` on, an image per plan.
+template <class Pixel>
+using TakePictures = std::function<void(std::size_t first, std::vector<Image<Pixel>> rows)>;
+
+/// Gives the pictures of synthesize_pictures(), with the same bytes, to `take` in bands of `rows`
+/// rows from the top down; the last may have fewer, and none follows where `economy` is stopped.
+template <class Pixel>
+void synthesize_pictures_in_bands(const SolidAtlas& solid, const TextureGraph& graph,
+                                  const std::vector<PicturePlan>& plans,
+                                  const Affine3& texture_from_atlas, const Filter& filter,
+                                  int threads, PrecisionKind precision, const Economy& economy,
+                                  const MaskImages& masks, std::size_t rows,
+                                  const TakePictures<Pixel>& take);
 
 }  // namespace burl

@@ -1,6 +1,7 @@
 // EXR files of several images, read back by the OpenEXR library itself.
 #include "app/image/exr_layers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -10,6 +11,7 @@
 #include <ImfInputFile.h>
 #include <ImfTiledInputFile.h>
 
+#include "app/base/file_bytes.h"
 #include "atlas/base/error.h"
 #include "tests/app/support/scratch_folder.h"
 
@@ -110,6 +112,55 @@ TEST(ExrLayers, LevelsComeBack) {
             };
             expect_numbers(channel(file, name, w, h, read), c, name);
         }
+}
+
+TEST(ExrLayers, RowsMakeTheFileOfWholeImages) {
+    const ScratchFolder folder;
+    constexpr std::size_t size = 150;
+    for (const bool has_levels : {false, true})
+        for (const ExrDepth depth : {ExrDepth::half, ExrDepth::full}) {
+            std::vector<Image<RgbaF>> colors;
+            std::vector<Image<float>> numbers;
+            for (std::size_t side = size; side > 0; side = has_levels ? side / 2 : 0) {
+                colors.push_back(image_of<RgbaF>(side, side));
+                numbers.push_back(image_of<float>(side, side));
+            }
+            ExrLayer color{"", "RGBA", {}}, rough{"roughness", "Y", {}};
+            for (const auto& level : colors) color.levels.push_back(&level);
+            for (const auto& level : numbers) rough.levels.push_back(&level);
+            const std::vector layers{color, rough};
+            write_exr_layers(folder / "whole.exr", layers, depth).commit();
+            const LayerRowSource source = [&](const LayerRowSink& sink) {
+                for (std::size_t y = 0; y < size; y += 64) {
+                    const std::size_t rows = std::min<std::size_t>(64, size - y);
+                    auto some = Image<RgbaF>::unset(size, rows);
+                    auto few = Image<float>::unset(size, rows);
+                    std::copy_n(&colors[0](0, y), size * rows, &some(0, 0));
+                    std::copy_n(&numbers[0](0, y), size * rows, &few(0, 0));
+                    sink(std::vector<FloatImage>{&some, &few});
+                }
+                std::vector<std::vector<FloatImage>> levels;
+                for (const ExrLayer& layer : layers)
+                    levels.emplace_back(layer.levels.begin() + 1, layer.levels.end());
+                return levels;
+            };
+            const std::vector<ExrLayer> bare{{"", "RGBA", {}}, {"roughness", "Y", {}}};
+            write_exr_layers(folder / "rows.exr", size, bare, source, has_levels, depth).commit();
+            EXPECT_EQ(read_file_bytes(folder / "rows.exr"), read_file_bytes(folder / "whole.exr"))
+                << has_levels;
+        }
+}
+
+TEST(ExrLayers, RowsOfHalfATileAreRefused) {
+    const ScratchFolder folder;
+    const Image<float> rows(128, 32), rest(128, 96);
+    const LayerRowSource source = [&](const LayerRowSink& sink) {
+        sink(std::vector<FloatImage>{&rows});
+        sink(std::vector<FloatImage>{&rest});
+        return std::vector<std::vector<FloatImage>>();
+    };
+    const std::vector<ExrLayer> layers{{"b", "Y", {}}};
+    EXPECT_THROW(write_exr_layers(folder / "a.exr", 128, layers, source, true), Error);
 }
 
 TEST(ExrLayers, LayersThatDoNotFitAreRefusedWithTheirName) {

@@ -99,6 +99,30 @@ TEST(Unfolding, WalksOnATubeAreLinesOfTheUnrolledTube) {
     EXPECT_GT(far, 100);
 }
 
+TEST(Unfolding, LongWalksEndWhereTheyAreToldTo) {
+    const std::uint32_t columns = 24, rows = 20;
+    const Mesh mesh = made::tube(columns, rows, 6.0);
+    const EdgeNeighbours neighbours(mesh.triangles, mesh.positions);
+    const std::uint32_t edge = 3 * (48 * 8);
+    const auto places = unrolled(mesh, edge / 3, columns, 6.0, rows);
+    const Vec2d a = places[0], b = places[1];
+    const Vec2d from = glm::mix(a, b, 0.5), out = glm::normalize(Vec2d(b.y - a.y, a.x - b.x));
+    std::size_t last = 0;
+    double share = 0.0;
+    for (const int longest : {1, 2, 5, 9}) {
+        Unfolding unfolding(mesh.triangles, mesh.positions, neighbours, AtOpenEdge::end, longest);
+        const Walk walk = unfolding.walk(unfolding.begin(edge, places), from, from + 1.9 * out);
+        EXPECT_FALSE(walk.arrived);
+        EXPECT_EQ(unfolding.size(), std::size_t(longest) + 1);  // the first is not walked into
+        EXPECT_GT(walk.share, share);
+        EXPECT_GT(unfolding.size(), last);
+        share = walk.share;
+        last = unfolding.size();
+    }
+    Unfolding unfolding(mesh.triangles, mesh.positions, neighbours);
+    EXPECT_TRUE(unfolding.walk(unfolding.begin(edge, places), from, from + 1.9 * out).arrived);
+}
+
 /// A cone of n facets with this angle in the plane at its tip, point 0.
 Mesh cone(std::uint32_t n, double angle) {
     std::vector<Vec3d> positions{Vec3d(0.0)};

@@ -135,6 +135,35 @@ TEST(Pictures, BytesDoNotDependOnThreads) {
     }
 }
 
+TEST(Pictures, BandsAreRowsOfTheWhole) {
+    const SolidAtlas solid = SyntheticAtlas{}.make(3);
+    const TextureGraph graph = oak();
+    const auto plans = plans_of(graph);
+    for (const Filter filter :
+         {Filter{}, Filter{FilterKind::trapezoid}, Filter{FilterKind::supersample, 5}}) {
+        const auto whole = synthesize_pictures<Rgba16>(solid, graph, plans, {}, filter, 2);
+        SynthesisWork work, whole_work;
+        std::size_t next = 0, bands = 0;
+        const auto take = [&](std::size_t first, std::vector<Image<Rgba16>> rows) {
+            ASSERT_EQ(rows.size(), whole.size());
+            EXPECT_EQ(first, next);
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                for (std::size_t y = 0; y < rows[i].height(); ++y)
+                    ASSERT_TRUE(std::ranges::equal(rows[i].row(y), whole[i].row(first + y)));
+            next += rows[0].height();
+            ++bands;
+        };
+        synthesize_pictures_in_bands<Rgba16>(solid, graph, plans, {}, filter, 2,
+                                             PrecisionKind::float32, {.work = &work}, {}, 7, take);
+        EXPECT_EQ(next, solid.size);
+        EXPECT_EQ(bands, (solid.size + 6) / 7);
+        synthesize_pictures<Rgba16>(solid, graph, plans, {}, filter, 2, PrecisionKind::float32,
+                                    {.work = &whole_work});
+        EXPECT_EQ(work.texels, whole_work.texels);
+        EXPECT_EQ(work.octaves, whole_work.octaves);
+    }
+}
+
 TEST(Pictures, NamesAreEvaluatedOnce) {
     const TextureGraph graph = oak();
     TextureGraph color = graph;

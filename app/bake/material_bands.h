@@ -1,0 +1,107 @@
+#pragma once
+// A material's pictures as they come in bands of rows: what of them stays in memory are their codes
+// and, for MIP levels, level 1 in floats, a quarter of the texels; not all pictures in floats.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/export/export.h"
+#include "app/image/convert_image.h"
+#include "atlas/base/image.h"
+#include "atlas/build/mesh_atlas.h"
+#include "atlas/build/normal_levels.h"
+
+namespace burl {
+
+/// An image in linear floats of as many components as its picture has: 1, 3 or 4.
+using FloatPicture = std::variant<Image<float>, Image<RgbF>, Image<RgbaF>>;
+
+/// The number of rows of a band of so many pictures of `size` texels a side: a multiple of 64 and
+/// so of all that works on several rows at a time, with two million pixels or 64 rows.
+std::size_t rows_of_bands(std::size_t size, std::size_t pictures);
+
+/// The first 1, 3 or 4 components of the pixels.
+FloatPicture float_picture(const Image<RgbaF>& rows, std::size_t components);
+/// The number c of the pixels' components.
+Image<float> component_of(const Image<RgbaF>& rows, std::size_t c);
+
+/// The codes of linear floats, sRGB if they are colours; colours are premultiplied where there are
+/// four components. Code is std::uint8_t or std::uint16_t.
+template <class Code>
+PictureImage picture_codes(const FloatPicture& picture, bool is_color);
+
+/// Copies the rows into the image from row `first` on, which the first rows make as large as
+/// `size` x `size`; takes them where they are all of it.
+template <class Picture>
+void put_rows(Picture rows, std::size_t first, std::size_t size, Picture& image) {
+    std::visit(
+        [&]<class Pixel>(Image<Pixel>& from) {
+            if (from.height() == size) {
+                image = std::move(from);
+                return;
+            }
+            if (first == 0) image = Image<Pixel>::unset(size, size);
+            std::ranges::copy(from.pixels(), &std::get<Image<Pixel>>(image)(0, first));
+        },
+        rows);
+}
+
+/// The MIP levels of a picture whose rows come in bands of even numbers of rows.
+class LevelRows {
+  public:
+    /// `count` is the number of levels above level 0. The atlas must outlive the object.
+    LevelRows(const MeshAtlas& atlas, std::uint32_t count);
+
+    void add(std::size_t first, const FloatPicture& rows);
+    /// Levels 1 to the last; once, when all rows were added.
+    std::vector<FloatPicture> levels();
+
+  private:
+    const MeshAtlas* atlas_;
+    std::uint32_t count_;
+    /// Whether level 1 is made of rows alone (halves_in_bands); else level 0 is kept.
+    bool halves_;
+    FloatPicture finest_{};  ///< level 1 or level 0
+};
+
+/// The MIP levels of a normal map with its roughness, which come in bands of even numbers of rows.
+class NormalRows {
+  public:
+    NormalRows(const MeshAtlas& atlas, std::uint32_t count);
+
+    void add(std::size_t first, const Image<RgbF>& normals, const Image<float>& roughness);
+    std::vector<NormalLevel> levels();
+
+  private:
+    const MeshAtlas* atlas_;
+    std::uint32_t count_;
+    bool halves_;
+    Image<Vec4f> finest_{};
+};
+
+/// Gives the levels of a picture the roughness of the normals' levels in component c, where the
+/// picture holds offset + sign * roughness.
+void set_roughness(std::vector<FloatPicture>& levels, const std::vector<NormalLevel>& normals,
+                   std::size_t c, float sign, float offset);
+
+/// The texels of a transparent colour that have none, and the colour that they get: the mean, which
+/// is known when all rows have come.
+class ClearTexels {
+  public:
+    /// Of a texture of `size` x `size` texels.
+    explicit ClearTexels(std::size_t size) : clear_(size * size) {}
+
+    void add(std::size_t first, const Image<RgbaF>& rows);
+    /// Gives them their colour in the codes of level 0.
+    template <class Code>
+    void fill(Image<Rgba<Code>>& codes) const;
+
+  private:
+    std::vector<bool> clear_;
+    ColorMean mean_{};
+};
+
+}  // namespace burl
