@@ -206,7 +206,7 @@ TEST(UvAtlas, OverlapsAreCountedAndRefusedUnlessAllowed) {
         refusal(mesh, uv_options(16)),
         "made: 3 triangles share 20 texels with others, so that only one of them can be right "
         "there; --uv-overlap first shows the first (for mirrored or stacked charts), --atlas "
-        "patch gives each its own texels");
+        "chart gives each its own texels");
     const UvShown all = shown_uvs(mesh, uv_options(16, UvOverlap::first));
     EXPECT_EQ(all.atlas.notes.overlapped_texels, 20u);
     EXPECT_LT(all.triangles(7, 7), 2u);
