@@ -105,6 +105,23 @@ TEST(ScanlineKernel, HitsPlanesEdgesAndCornersExactly) {
                         << size << " " << way.x << " " << way.y << " " << way.z << " " << at;
 }
 
+TEST(ScanlineKernel, CrossesPlanesOfAxesThatHardlyMove) {
+    std::mt19937 random(14);
+    Scan scan;
+    for (const NoiseName& noise : noises)
+        for (const double change : {0.9 * 0x1p-20, -0.9 * 0x1p-20, 0x1p-24, 0x1p-32})
+            for (int line = 0; line < 60; ++line) {
+                constexpr std::size_t length = 200;
+                Vec3d start = random_vector(random, 9.0), step = random_vector(random, 0.004);
+                start[line % 3] = double(line % 7) - 0.5 * change;
+                step[line % 3] = change / double(length);
+                EXPECT_LE(worst_share(scan, noise, {std::uint32_t(random()), 0, 1.0f}, start, step,
+                                      length),
+                          1.0)
+                    << change << " " << line;
+            }
+}
+
 TEST(ScanlineKernel, TakesLinesOfAnyLength) {
     std::mt19937 random(12);
     Scan scan;
