@@ -91,7 +91,7 @@ void set_roughness(std::vector<FloatPicture>& levels, const std::vector<NormalLe
 /// is known when all rows have come.
 class ClearTexels {
   public:
-    /// Of a texture of `size` x `size` texels.
+    /// The plan of a texture of `size` x `size` texels.
     explicit ClearTexels(std::size_t size) : clear_(size * size) {}
 
     void add(std::size_t first, const Image<RgbaF>& rows);

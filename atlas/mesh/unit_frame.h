@@ -4,7 +4,7 @@
 
 namespace burl {
 
-/// What positions in the unit frame are multiples of.
+/// The unit that positions in the unit frame are multiples of.
 inline constexpr double frame_step = 0x1p-24;
 
 /// The mesh in the unit frame with positions and triangles only: positions are (p - low) / longest
