@@ -143,10 +143,9 @@ class FloatMaterial {
         std::vector<FloatPicture> all;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const Image<RgbaF> band = std::move(rows[i]);
-            if (i == 0 && cutoff_) put_rows(Floats(component_of(band, 3)), first, size_, opacity_);
+            if (i == 0 && cutoff_) put_rows(component_of(band, 3), first, size_, opacity_);
             if (i > 0 && is_rough(i))
-                put_rows(Floats(component_of(band, *wanted_[i - 1].roughness)), first, size_,
-                         rough_);
+                put_rows(component_of(band, *wanted_[i - 1].roughness), first, size_, rough_);
             all.push_back(float_picture(band, components_[i]));
             if (asked_.levels > 0) levels_[i].add(first, all.back());
         }
@@ -158,7 +157,7 @@ class FloatMaterial {
         std::vector<Image<RgbaF>> masks;
         for (FloatPicture& level : levels)
             masks.push_back(std::get<Image<RgbaF>>(std::move(level)));
-        scale_masks(pipeline_.mesh_atlas(), std::get<0>(opacity_), float(*cutoff_), masks);
+        scale_masks(pipeline_.mesh_atlas(), opacity_, float(*cutoff_), masks);
         opacity_ = {};
         std::ranges::move(masks, levels.begin());
     }
@@ -168,12 +167,11 @@ class FloatMaterial {
         const PictureComponent& plan = picture.plan.components[*picture.roughness];
         const float sign = std::signbit(plan.factor) ? -1.0f : 1.0f;
         const auto offset = float(plan.offset);
-        const Image<float>& rough = std::get<0>(rough_);
         NormalRows rows(pipeline_.mesh_atlas(), asked_.levels);
         const auto take = [&](std::size_t first, const Image<RgbF>& normals) {
             auto roughness = Image<float>::unset(normals.width(), normals.height());
             for (std::size_t y = 0; y < normals.height(); ++y)
-                std::ranges::transform(rough.row(first + y), roughness.row(y).begin(),
+                std::ranges::transform(rough_.row(first + y), roughness.row(y).begin(),
                                        [&](float value) { return sign * (value - offset); });
             rows.add(first, normals, roughness);
         };
@@ -185,8 +183,6 @@ class FloatMaterial {
         for (NormalLevel& level : made) normals_.push_back(std::move(level.normals));
     }
 
-    using Floats = std::variant<Image<float>>;
-
     Pipeline& pipeline_;
     const MaterialAsked& asked_;
     std::span<const Recipe> recipes_;
@@ -195,7 +191,8 @@ class FloatMaterial {
     std::vector<std::size_t> components_;
     std::optional<double> cutoff_;
     std::vector<LevelRows> levels_;
-    Floats opacity_{}, rough_{};  ///< level 0 of a mask's opacity, and of what holds the roughness
+    Image<float> opacity_{},
+        rough_{};  ///< level 0 of a mask's opacity, and of what holds the roughness
     std::vector<Image<RgbF>> normals_{};
 };
 

@@ -16,12 +16,10 @@ constexpr std::size_t least_rows = 64, band_pixels = std::size_t(1) << 21;
 template <class Pixel>
 void add_rows(std::size_t size, bool halves, std::size_t first, const Image<Pixel>& rows,
               Image<Pixel>& image) {
-    const std::size_t side = halves ? size / 2 : size;
-    if (first == 0) image = Image<Pixel>::unset(side, side);
     if (halves)
-        std::ranges::copy(halve(rows).pixels(), &image(0, first / 2));
+        put_rows(halve(rows), first / 2, size / 2, image);
     else
-        std::ranges::copy(rows.pixels(), &image(0, first));
+        put_rows(rows, first, size, image);
 }
 
 /// Levels 1 to `count` where `finest` is level 1 or, unless `halves`, level 0.

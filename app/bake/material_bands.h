@@ -35,16 +35,23 @@ PictureImage picture_codes(const FloatPicture& picture, bool is_color);
 
 /// Copies the rows into the image from row `first` on, which the first rows make as large as
 /// `size` x `size`; takes them where they are all of it.
-template <class Picture>
-void put_rows(Picture rows, std::size_t first, std::size_t size, Picture& image) {
+template <class Pixel>
+void put_rows(Image<Pixel> rows, std::size_t first, std::size_t size, Image<Pixel>& image) {
+    if (rows.height() == size) {
+        image = std::move(rows);
+        return;
+    }
+    if (first == 0) image = Image<Pixel>::unset(size, size);
+    std::ranges::copy(rows.pixels(), &image(0, first));
+}
+/// The same for an image of one of several kinds of pixels, which the first rows decide.
+template <class... Images>
+void put_rows(std::variant<Images...> rows, std::size_t first, std::size_t size,
+              std::variant<Images...>& image) {
     std::visit(
-        [&]<class Pixel>(Image<Pixel>& from) {
-            if (from.height() == size) {
-                image = std::move(from);
-                return;
-            }
-            if (first == 0) image = Image<Pixel>::unset(size, size);
-            std::ranges::copy(from.pixels(), &std::get<Image<Pixel>>(image)(0, first));
+        [&]<class Rows>(Rows& from) {
+            if (first == 0) image = Rows();
+            put_rows(std::move(from), first, size, std::get<Rows>(image));
         },
         rows);
 }

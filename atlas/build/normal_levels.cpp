@@ -58,17 +58,13 @@ NormalLevel normal_level(const Image<Vec4f>& moments) {
     return level;
 }
 
-std::vector<NormalLevel> normal_levels(const MeshAtlas& atlas, const Image<Vec4f>& moments,
-                                       std::uint32_t levels, std::uint32_t first) {
-    std::vector<NormalLevel> result;
-    for (const Image<Vec4f>& level : block_levels(atlas, moments, levels, first))
-        result.push_back(normal_level(level));
-    return result;
-}
-
 std::vector<NormalLevel> normal_levels(const MeshAtlas& atlas, const Image<RgbF>& normals,
                                        const Image<float>& roughness, std::uint32_t levels) {
-    return normal_levels(atlas, normal_moments(normals, roughness), levels, 0);
+    std::vector<NormalLevel> result;
+    for (const Image<Vec4f>& level :
+         block_levels(atlas, normal_moments(normals, roughness), levels))
+        result.push_back(normal_level(level));
+    return result;
 }
 
 }  // namespace burl

@@ -30,9 +30,6 @@ std::vector<NormalLevel> normal_levels(const MeshAtlas& atlas, const Image<RgbF>
 /// roughness. The images may be rows of larger ones.
 Image<Vec4f> normal_moments(const Image<RgbF>& normals, const Image<float>& roughness);
 
-/// The levels of normal_levels() that lie above level `first`, of which `moments` are the means.
-std::vector<NormalLevel> normal_levels(const MeshAtlas& atlas, const Image<Vec4f>& moments,
-                                       std::uint32_t levels, std::uint32_t first);
 /// The level that has these means.
 NormalLevel normal_level(const Image<Vec4f>& moments);
 

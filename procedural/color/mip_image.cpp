@@ -69,13 +69,13 @@ RgbF mixed(const Taps& taps, const auto& texel_at) {
             float(std::max(sum[2], 0.0))};
 }
 
-/// The rows of an image widened to a power of two, each made when it is first asked for; the last
-/// four that a column's taps need are kept.
+/// The rows of an image widened to a power of two, each made when it is asked for; the five that
+/// were asked for last are kept, one more than a column's taps need.
 template <class TexelAt>
 class WideRows {
   public:
     WideRows(std::size_t from, std::size_t width, const TexelAt& texel_at, ImageWrap wrap)
-        : texel_at_(texel_at), taps_(from == width ? 0 : width) {
+        : texel_at_(texel_at) {
         if (from != width) taps_ = lanczos_taps(from, width, wrap);
         for (Row& row : rows_) row.texels.resize(width);
     }
@@ -102,7 +102,7 @@ class WideRows {
     }
 
     const TexelAt& texel_at_;
-    std::vector<Taps> taps_;
+    std::vector<Taps> taps_;   ///< none where rows have a power of two of texels already
     std::array<Row, 5> rows_;  ///< the one asked for last at the end
 };
 
@@ -114,13 +114,12 @@ Image<RgbF> with_power_of_two_sides(std::size_t columns, std::size_t rows, Image
     const std::size_t width = std::bit_ceil(columns), height = std::bit_ceil(rows);
     WideRows wide(columns, width, texel_at, wrap);
     Image<RgbF> result(width, height);
-    const std::vector<Taps> taps =
-        height == rows ? std::vector<Taps>() : lanczos_taps(rows, height, wrap);
+    if (height == rows) {
+        for (std::size_t y = 0; y < height; ++y) std::ranges::copy(wide(y), result.row(y).begin());
+        return result;
+    }
+    const std::vector<Taps> taps = lanczos_taps(rows, height, wrap);
     for (std::size_t y = 0; y < height; ++y) {
-        if (taps.empty()) {
-            std::ranges::copy(wide(y), result.row(y).begin());
-            continue;
-        }
         std::array<const RgbF*, 4> four{};
         for (std::size_t k = 0; k < 4; ++k)
             if (taps[y].index[k] >= 0) four[k] = wide(std::size_t(taps[y].index[k])).data();
