@@ -12,10 +12,10 @@ ONE = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
 
 
 class Case:
-    """A file's name and bytes, with what is done with it; {} stands for the name."""
+    """A file's name and bytes, with what is done with it, {} being the name, and the exit code of that."""
 
-    def __init__(self, name, data, command="bake {} --size 16 -o out.glb", often=False, seconds=SECONDS, mebibytes=MEBIBYTES, beside=()):
-        self.name, self.data, self.command, self.often = name, data, command, often
+    def __init__(self, name, data, command="bake {} --size 16 -o out.glb", often=False, code=0, seconds=SECONDS, mebibytes=MEBIBYTES, beside=()):
+        self.name, self.data, self.command, self.often, self.code = name, data, command, often, code
         self.seconds, self.mebibytes, self.beside = seconds, mebibytes, beside
 
 
@@ -31,7 +31,7 @@ def obj_cases():
         30000, lambda i: f"f {1 + i % 20000} {1 + i * 7 % 20000} {1 + i * 13 % 20000}"), often=True)
     yield Case("round-a-point.obj", lines(40000, lambda i: f"v {i} {i * i % 101} 0") + lines(39997, lambda i: f"f 1 {i + 2} {i + 3}"))
     for kind in ("quad", "area", "patch", "chart"):
-        yield Case("same-triangle.obj", CORNERS + "f 1 2 3\n" * 110000, f"bake {{}} --size 16 -o out.glb --atlas {kind}")
+        yield Case("same-triangle.obj", CORNERS + "f 1 2 3\n" * 110000, f"bake {{}} --size 16 -o out.glb --atlas {kind}", code=4 if kind == "area" else 0)
     yield Case("polygon.obj", lines(50000, lambda i: f"v {i} {i * i % 997} 0") + "f " + " ".join(map(str, range(1, 50001))) + "\n", often=True)
     yield Case("star.obj", lines(40000, lambda i: f"v {math.cos(2.4 * i) * (1 + i % 2):.4f} {math.sin(2.4 * i) * (1 + i % 2):.4f} 0")
                + "f " + " ".join(map(str, range(1, 40001))) + "\n")
@@ -42,7 +42,7 @@ def obj_cases():
                "bake {} --size 16 -o out.glb --weld 0.1")
     yield Case("lines.obj", CORNERS + "f 1 2 3\n" + "l 1 2\n" * 150000)
     for kind in ("uniform", "length", "quad", "patch", "chart"):
-        yield Case("rough-grid.obj", rough, f"bake {{}} --size 16 -o out.glb --atlas {kind}")
+        yield Case("rough-grid.obj", rough, f"bake {{}} --size 16 -o out.glb --atlas {kind}", code=4 if kind in ("uniform", "length") else 0)
 
 
 def other_mesh_cases():
@@ -52,9 +52,9 @@ def other_mesh_cases():
     yield Case("loose.stl", stl(19999, lambda: struct.pack("<12fH", *(random.uniform(-1, 1) for _ in range(12)), 0)), often=True)
     head = "ply\nformat {} 1.0\nelement vertex {}\n{}element face {}\nproperty list uchar int vertex_indices\nend_header\n"
     place = "property float x\nproperty float y\nproperty float z\n"
-    yield Case("claims.ply", head.format("ascii", 10**9, place, 1) + "0 0 0\n", often=True)
-    yield Case("empty-faces.ply", head.format("binary_little_endian", 3, place, 900000).encode() + bytes(900036), often=True)
-    yield Case("no-places.ply", head.format("binary_little_endian", 10**9, "", 1).encode() + bytes(36), often=True)
+    yield Case("claims.ply", head.format("ascii", 10**9, place, 1) + "0 0 0\n", often=True, code=3)
+    yield Case("empty-faces.ply", head.format("binary_little_endian", 3, place, 900000).encode() + bytes(900036), often=True, code=3)
+    yield Case("no-places.ply", head.format("binary_little_endian", 10**9, "", 1).encode() + bytes(36), often=True, code=3)
 
 
 def gltf(count, points, indices=None, mode=4, **more):
@@ -92,7 +92,7 @@ def gltf_cases():
     yield Case("chain.gltf", gltf(3, ONE, nodes=chain, scenes=[{"nodes": [0, 1]}]), often=True)
     channel = {"sampler": 0, "target": {"node": 0, "path": "translation"}}
     yield Case("channels.gltf", gltf(3, ONE, animations=[{"channels": [channel] * 20000, "samplers": [{"input": 0, "output": 0}]}]),
-               "bake {} --size 16 -o out.glb --pose walk")
+               "bake {} --size 16 -o out.glb --pose walk", code=1)
     # What is asked for is six million triangles.
     yield Case("large-instances.gltf", gltf(count, circle, fan, nodes=[{"mesh": 0}] * 200), unshared, seconds=60, mebibytes=3000)
 
@@ -129,17 +129,17 @@ def recipe_cases():
     number = iter(range(1, 1 << 20))
     def distinct(): return {"node": "transform", "scale": [1 + next(number) * .01, 1, 1], "input": {"node": "fbm", "octaves": 16}}
     yield Case("warps.burl.json", recipe(warps), bake, often=True)
-    yield Case("tree.burl.json", recipe(tree(12, lambda: fbm)), bake)
+    yield Case("tree.burl.json", recipe(tree(12, lambda: fbm)), bake, code=3)
     yield Case("octaves.burl.json", recipe(tree(7, distinct)), bake)
-    yield Case("octaves-gl.burl.json", recipe(tree(7, distinct)), bake + " --synth gl", often=True)
+    yield Case("octaves-gl.burl.json", recipe(tree(7, distinct)), bake + " --synth gl", often=True, code=5)
     yield Case("shared.burl.json", recipe("n24", define=doubled(24, lambda i, _: f"n{i}")), bake, often=True)
     yield Case("turned.burl.json", recipe("n24", define=doubled(24, lambda i, s: {"node": "transform", "scale": [s, 1, 1], "input": f"n{i}"})),
-               bake, often=True)
+               bake, often=True, code=3)
     yield Case("samples.burl.json", recipe(tree(8, lambda: fbm)), bake + " --filter supersample:1000")
     yield Case("strokes.burl.json", json.dumps({"burl": 1, "paint": [{"points": [[i % 7, i % 5, i % 3]] * 3, "radius": 1} for i in range(9000)]}), bake)
     yield Case("keys.burl.json", json.dumps({"burl": 1, "animation": {"tracks": [
         {"path": "solid.scale", "keys": [[i * .01, 1 + i % 3] for i in range(20000)]}]}}), bake)
-    yield Case("deep.burl.json", '{"burl":1,"texture":' + '{"node":"add","a":' * 20000 + "1" + "}" * 20001, bake, often=True)
+    yield Case("deep.burl.json", '{"burl":1,"texture":' + '{"node":"add","a":' * 20000 + "1" + "}" * 20001, bake, often=True, code=3)
 
 
 def image_cases():
@@ -165,7 +165,7 @@ def other_cases():
     yield Case("points.csv", "0.1,0.2,0.3\n" * 80000, "eval marble --points {}")
     yield Case("nodes.mtlx", '<?xml version="1.0"?><materialx version="1.38">' + "".join(
         f'<add name="a{i}" type="float"><input name="in1" type="float" nodename="a{i - 1}"/>'
-        f'<input name="in2" type="float" nodename="a{i - 1}"/></add>' for i in range(1, 7000)) + "</materialx>", "show {}", often=True)
+        f'<input name="in2" type="float" nodename="a{i - 1}"/></add>' for i in range(1, 7000)) + "</materialx>", "show {}", often=True, code=3)
 
 
 def problem(case, burl):
@@ -173,6 +173,7 @@ def problem(case, burl):
     for name, data in [(case.name, case.data.encode() if isinstance(case.data, str) else case.data), *case.beside]:
         (burl.folder / name).write_bytes(data)
     words = [word.replace("{}", case.name) for word in case.command.split()]
+    for output in burl.folder.glob("out.*"): output.unlink()
     words += {"bake": ["--force", "--quiet"], "batch": ["--quiet"]}.get(words[0], [])
     with open(burl.folder / "err.txt", "w+", errors="backslashreplace") as err:
         child = subprocess.Popen([burl.program, *words], cwd=burl.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err)
@@ -184,7 +185,8 @@ def problem(case, burl):
         said = err.read()
     code, seconds, mebibytes = os.waitstatus_to_exitcode(status), used.ru_utime + used.ru_stime, used.ru_maxrss // 1024
     print(f"{words[0]} {case.name} {' '.join(words[2:])}: exit code {code}, {seconds:.2f} s, {mebibytes} MiB", flush=True)
-    if code < 0: return f"ended by signal {-code}"
+    if code != case.code: return f"exit code {code} instead of {case.code}: {said}"
+    if "-o" in words and (burl.folder / words[words.index("-o") + 1]).exists() != (code == 0): return "an output is missing, or left over"
     if mebibytes > case.mebibytes: return f"{mebibytes} MiB"
     if seconds > case.seconds: return f"{seconds:.2f} s"
     return sentence_problem(said) if code else ""
