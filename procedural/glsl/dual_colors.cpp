@@ -1,4 +1,6 @@
 // The steps of checkerboards and colours with gradients, as graph/dual_colors.cpp evaluates them.
+#include <type_traits>
+
 #include <fmt/format.h>
 
 #include "procedural/color/marble_spline.h"
@@ -13,15 +15,28 @@ std::string real3(const Vec3d& v, GlslReal real) {
                        glsl_number(v.z, real));
 }
 
-/// The text "const TYPE NAME[n] = TYPE[n](...);" with number(item) for each item.
+/// The array of a number, or of the components of a vector, of each item.
 template <class Item, class Number>
-std::string array(const char* type, const char* name, const std::vector<Item>& items,
-                  const Number& number) {
-    std::vector<std::string> texts;
-    for (const Item& item : items) texts.push_back(number(item));
-    if (texts.empty()) texts.push_back(fmt::format("{}(0.0)", type));
-    return fmt::format("const {0} {1}[{2}] = {0}[{2}](\n    {3});\n", type, name, texts.size(),
-                       fmt::join(texts, ",\n    "));
+std::string array(const char* name, const std::vector<Item>& items, Number Item::*member,
+                  GlslReal real) {
+    constexpr std::size_t width = std::is_same_v<Number, Vec3d> ? 3 : 1;
+    std::vector<double> numbers;
+    for (const Item& item : items) {
+        if constexpr (width == 3)
+            for (int c = 0; c < 3; ++c) numbers.push_back((item.*member)[c]);
+        else
+            numbers.push_back(item.*member);
+    }
+    if (numbers.empty()) numbers.resize(width, 0.0);
+    return glsl_array(name, numbers, width, real);
+}
+
+/// The points of marble's spline as an array.
+std::string marble_points(GlslReal real) {
+    std::vector<double> numbers;
+    for (const auto& color : marble_colors)
+        for (const double c : color) numbers.push_back(marble_brightness * c);
+    return glsl_array("marble_points", numbers, 3, real);
 }
 
 }  // namespace
@@ -38,21 +53,14 @@ std::string GlslMapTables::add(const ColorMap& colors) {
 
 std::string GlslMapTables::text() const {
     using MapPiece = MapPieces::Piece;
-    const auto colors = [&](const char* name, Vec3d MapPiece::*member) {
-        return array("real3", name, pieces_,
-                     [&](const MapPiece& piece) { return real3(piece.*member, real_); });
-    };
-    const auto changes = [&](const char* name, Vec3d MapBreak::*member) {
-        return array("real3", name, breaks_,
-                     [&](const MapBreak& at) { return real3(at.*member, real_); });
-    };
-    return array("real", "piece_starts", pieces_,
-                 [&](const MapPiece& piece) { return glsl_number(piece.start, real_); }) +
-           colors("piece_colors", &MapPiece::color) + colors("piece_slopes", &MapPiece::slope) +
-           colors("piece_firsts", &MapPiece::first) + colors("piece_seconds", &MapPiece::second) +
-           array("real", "break_places", breaks_,
-                 [&](const MapBreak& at) { return glsl_number(at.position, real_); }) +
-           changes("break_jumps", &MapBreak::jump) + changes("break_kinks", &MapBreak::kink);
+    return array("piece_starts", pieces_, &MapPiece::start, real_) +
+           array("piece_colors", pieces_, &MapPiece::color, real_) +
+           array("piece_slopes", pieces_, &MapPiece::slope, real_) +
+           array("piece_firsts", pieces_, &MapPiece::first, real_) +
+           array("piece_seconds", pieces_, &MapPiece::second, real_) +
+           array("break_places", breaks_, &MapBreak::position, real_) +
+           array("break_jumps", breaks_, &MapBreak::jump, real_) +
+           array("break_kinks", breaks_, &MapBreak::kink, real_) + marble_points(real_);
 }
 
 /// The expression of black minus white along one axis of a checkerboard. Without a footprint all
@@ -101,11 +109,7 @@ GlslDuals::Names GlslDuals::step(const MapColors& colors) {
 }
 
 GlslDuals::Names GlslDuals::step(const MarbleColors& colors) {
-    Names points;
-    for (const auto& c : marble_colors)
-        points.push_back(real3(marble_brightness * Vec3d(c[0], c[1], c[2])));
-    return color(fmt::format("dual_spline({}, real3[{}]({}), {})", in(0), points.size(),
-                             fmt::join(points, ", "), colors.smooth));
+    return color(fmt::format("dual_spline({}, {})", in(0), colors.smooth));
 }
 
 GlslDuals::Names GlslDuals::step(const ImageColors& image) {

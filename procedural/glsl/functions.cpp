@@ -129,6 +129,17 @@ std::string GlslFunctions::of_octave(const char* type, const std::vector<std::st
     return values.size() > 1 ? array(type, values) + "[k]" : glsl_operand(values[0]);
 }
 
+std::string GlslFunctions::real_of_octave(const std::vector<double>& values) {
+    if (values.size() == 1) return glsl_operand(number(values[0]));
+    const std::string list = fmt::format("{}", fmt::join(values, ", "));
+    for (const auto& [text, name] : arrays_)
+        if (text == list) return name + "(k)";
+    const std::string name = fmt::format("table{}", arrays_.size());
+    add(glsl_array(name, values, 1, real_));
+    arrays_.emplace_back(list, name);
+    return name + "(k)";
+}
+
 std::string GlslFunctions::seed_of_octave(std::span<const SumOctave> octaves) {
     std::vector<std::string> seeds;
     bool follow = true;

@@ -41,6 +41,8 @@ class GlslFunctions {
     /// The expression of a number of octave k: an element of a constant array, or the number itself
     /// where there is one octave.
     std::string of_octave(const char* type, const std::vector<std::string>& values);
+    /// The expression of a real number of octave k: a function of k, or the number itself.
+    std::string real_of_octave(const std::vector<double>& values);
     /// The expression of the seed of octave k.
     std::string seed_of_octave(std::span<const SumOctave> octaves);
     /// The name of an image's sampler.

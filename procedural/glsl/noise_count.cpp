@@ -13,7 +13,7 @@ std::size_t noises_of(const NoiseSum& sum) {
     return sum.octaves.size();
 }
 std::size_t noises_of(const SimplexOctaves& sum) {
-    return std::size_t(sum.octaves.octaves);
+    return 4 * std::size_t(sum.octaves.octaves);
 }
 std::size_t noises_of(const CurlOctaves& field) {
     return 3 * std::size_t(field.octaves.octaves);

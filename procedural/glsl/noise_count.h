@@ -13,8 +13,9 @@ namespace burl {
 inline constexpr std::size_t most_shader_noises = 256;
 
 /// The number of noises that a graph's shader evaluates for a point: an octave, or a cell's number,
-/// counts as one, a vector of them as three and strewn shapes as four; what the graph shares counts
-/// once. The graph must be valid and not empty.
+/// counts as one, a vector of them as three, strewn shapes and an octave of `simplex_nd`, whose
+/// walk needs arrays, as four; what the graph shares counts once. The graph must be valid and not
+/// empty.
 std::size_t shader_noises(const TextureGraph& graph, GraphOutput output);
 
 }  // namespace burl

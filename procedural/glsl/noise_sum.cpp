@@ -42,6 +42,13 @@ std::vector<std::string> of_each(std::span<const SumOctave> octaves, const Numbe
     return texts;
 }
 
+/// A number of all octaves.
+std::vector<double> all_of(std::span<const SumOctave> octaves, double SumOctave::*number) {
+    std::vector<double> numbers;
+    for (const SumOctave& octave : octaves) numbers.push_back(octave.*number);
+    return numbers;
+}
+
 }  // namespace
 
 /// Some octaves of a sum, and the way in which their noise becomes part of it.
@@ -106,9 +113,8 @@ std::string GlslNoiseSums::doubling_lines(const Octaves& octaves, const Point& p
 /// The lines of octaves in a loop, each from a split point of its own.
 std::string GlslNoiseSums::apart_lines(const Octaves& all, const Point& point,
                                        const std::string& total) {
-    const std::string frequency = functions_.of_octave(
-        "real",
-        of_each(all.octaves, [&](const auto& o) { return functions_.number(o.frequency); }));
+    const std::string frequency =
+        functions_.real_of_octave(all_of(all.octaves, &SumOctave::frequency));
     return loop(
         all.octaves.size(),
         fmt::format(
@@ -130,9 +136,7 @@ std::string GlslNoiseSums::split_lines(const Octaves& all, const Point& point,
 std::string GlslNoiseSums::site_noise(const NoiseSum& sum, const Point& point, bool sloped) {
     const bool as_it_is = sum.octaves.size() == 1 && sum.octaves[0].frequency == 1.0;
     const std::string frequency =
-        as_it_is ? "" : functions_.of_octave("real", of_each(sum.octaves, [&](const auto& o) {
-                                                 return functions_.number(o.frequency);
-                                             }));
+        as_it_is ? "" : functions_.real_of_octave(all_of(sum.octaves, &SumOctave::frequency));
     return fmt::format("{}({}, {}, {})", functions_.octave(sum.noise, sloped),
                        functions_.seed_of_octave(sum.octaves), scaled_point(point, frequency),
                        functions_.number(sum.noise.time.value_or(0.0)));
@@ -147,8 +151,7 @@ GlslSum GlslNoiseSums::values(const NoiseSum& sum, const Point& point, const std
         return {fmt::format("    exact float {} = 0.0;\n{}", total, lines),
                 fmt::format("real({}){}", total, offset)};
     }
-    const std::string weight = functions_.of_octave(
-        "real", of_each(sum.octaves, [&](const auto& o) { return functions_.number(o.weight); }));
+    const std::string weight = functions_.real_of_octave(all_of(sum.octaves, &SumOctave::weight));
     const std::string octave =
         fmt::format("real({})", functions_.shaped(sum.shape, site_noise(sum, point, false)));
     return {fmt::format("    exact real {} = {};\n", total, functions_.number(sum.offset)) +
@@ -165,10 +168,9 @@ GlslSum GlslNoiseSums::slopes(const NoiseSum& sum, const Point& point, const std
         return {fmt::format("    exact vec4 {} = vec4(0.0);\n{}", total, lines), total};
     }
     const auto number = [&](double x) { return functions_.number(x); };
-    const std::string weight = functions_.of_octave(
-        "real", of_each(sum.octaves, [&](const auto& o) { return number(o.weight); }));
-    const std::string frequency = functions_.of_octave(
-        "real", of_each(sum.octaves, [&](const auto& o) { return number(o.frequency); }));
+    const std::string weight = functions_.real_of_octave(all_of(sum.octaves, &SumOctave::weight));
+    const std::string frequency =
+        functions_.real_of_octave(all_of(sum.octaves, &SumOctave::frequency));
     const std::string share =
         kept.empty() ? number(1.0) : fmt::format("visible_part({}, real({}))", kept, all.number());
     const std::string line =

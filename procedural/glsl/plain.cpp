@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace burl {
 
 namespace {
@@ -62,9 +64,32 @@ std::string float_branches(std::string_view text) {
 struct Replacement {
     std::string_view name, by;
 };
-constexpr std::array replacements{Replacement{"real", "float"}, Replacement{"real2", "vec2"},
-                                  Replacement{"real3", "vec3"}, Replacement{"real4", "vec4"},
-                                  Replacement{"nearest_root", "sqrt"}};
+constexpr std::array replacements{
+    Replacement{"real", "float"},       Replacement{"real2", "vec2"},
+    Replacement{"real3", "vec3"},       Replacement{"real4", "vec4"},
+    Replacement{"real_item", "float"},  Replacement{"real4_item", "vec4"},
+    Replacement{"nearest_root", "sqrt"}};
+
+/// The functions of numbers/real.glsl that do nothing to floats.
+bool does_nothing(std::string_view name) {
+    return name == "to_item" || name == "from_item";
+}
+
+/// The text in parentheses, which may have some in it, at the start of the text.
+std::string_view bracketed(std::string_view text) {
+    int depth = 0;
+    std::size_t at = 0;
+    do {
+        depth += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
+        ++at;
+    } while (depth > 0 && at < text.size());
+    return text.substr(1, at - 2);
+}
+
+/// Whether the text is an operand without an operator: a name, an element, a member, a call.
+bool is_operand(std::string_view text) {
+    return text.find(' ') == std::string_view::npos;
+}
 
 /// The length of a number in parentheses, such as "(0.5)", at the start of the text; 0 if there is
 /// none.
@@ -142,10 +167,15 @@ std::string glsl_in_float(std::string_view text) {
         if (begin < done) return;
         const std::string_view rest = std::string_view(branches).substr(end);
         const auto* known = std::ranges::find(replacements, name, &Replacement::name);
-        if (known == replacements.end() && name != "exact") return;
+        if (known == replacements.end() && name != "exact" && !does_nothing(name)) return;
         plain += branches.substr(done, begin - done);
         done = end;
-        if (name == "exact") {
+        if (does_nothing(name) && rest.starts_with('(')) {
+            const std::string_view inside = bracketed(rest);
+            const std::string inner = glsl_in_float(inside);
+            plain += is_operand(inside) ? inner : fmt::format("({})", inner);
+            done += inside.size() + 2;
+        } else if (name == "exact") {
             done += rest.starts_with(' ') ? 1 : 0;
         } else if (const std::size_t number = name == "real" ? bracketed_number(rest) : 0) {
             plain += rest.substr(1, number - 2);

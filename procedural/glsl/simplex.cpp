@@ -37,9 +37,10 @@ std::string ladder_text(const OctaveLadder& ladder, double amplitude,
                        functions.number(amplitude));
 }
 
-/// The expression of an array of eight elements, the inputs and then `rest`.
+/// The expression of an array of eight items, the inputs and then `rest`.
 std::string array_text(const char* type, std::vector<std::string> inputs, const std::string& rest) {
     inputs.resize(most_simplex_dimensions, rest);
+    for (std::string& input : inputs) input = fmt::format("to_item({})", input);
     return fmt::format("{}[{}]({})", type, inputs.size(), fmt::join(inputs, ", "));
 }
 
@@ -70,7 +71,7 @@ std::string glsl_simplex_sum(const SimplexOctaves& octaves, const std::vector<st
                              GlslFunctions& functions) {
     need_values(functions);
     return fmt::format("simplex_octaves({}, {})", arguments(octaves, functions),
-                       array_text("real", inputs, functions.number(0.0)));
+                       array_text("real_item", inputs, functions.number(0.0)));
 }
 
 std::string glsl_curl_sum(const CurlOctaves& octaves, const std::vector<std::string>& inputs,
@@ -89,14 +90,14 @@ std::string glsl_dual_simplex_sum(const SimplexOctaves& octaves,
     const bool waves = noise.signal == SimplexSignal::wave;
     return fmt::format("dual_simplex_octaves({}, {}, {}, {}, {})", arguments(octaves, functions),
                        functions.number(waves ? std::max(noise.waves, 1.0) : 1.0),
-                       array_text("real4", inputs, "real4(0.0)"), steps[0], steps[1]);
+                       array_text("real4_item", inputs, "real4(0.0)"), steps[0], steps[1]);
 }
 
 std::string glsl_dual_curl_sum(const CurlOctaves& octaves, const std::vector<std::string>& inputs,
                                const std::array<std::string, 2>& steps, GlslFunctions& functions) {
     need_duals(functions);
     return fmt::format("dual_curl_octaves({}, {}, {}, {})", arguments(octaves, functions),
-                       array_text("real4", inputs, "real4(0.0)"), steps[0], steps[1]);
+                       array_text("real4_item", inputs, "real4(0.0)"), steps[0], steps[1]);
 }
 
 }  // namespace burl

@@ -1,7 +1,9 @@
 #include "procedural/glsl/text.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,35 @@ std::string glsl_number(double value, GlslReal real) {
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     if (real == GlslReal::float64) text += "lf";
     return text;
+}
+
+namespace {
+
+/// The bits of a float64 number, its lower half first.
+std::string bits_text(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    return fmt::format("uvec2({:#x}u, {:#x}u)", std::uint32_t(bits), bits >> 32);
+}
+
+}  // namespace
+
+std::string glsl_array(std::string_view name, std::span<const double> numbers, std::size_t width,
+                       GlslReal real) {
+    const bool bits = real == GlslReal::float64;
+    std::vector<std::string> items;
+    for (const double x : numbers) items.push_back(bits ? bits_text(x) : glsl_number(x, real));
+    const auto element = [&](const std::string& place) {
+        return bits ? fmt::format("packDouble2x32({}_items[{}])", name, place)
+                    : fmt::format("{}_items[{}]", name, place);
+    };
+    const std::string value = width == 1 ? element("i")
+                                         : fmt::format("real3({}, {}, {})", element("3 * i"),
+                                                       element("3 * i + 1"), element("3 * i + 2"));
+    return fmt::format(
+        "const {0} {1}_items[{2}] = {0}[{2}](\n    {3});\n{4} {1}(int i) {{\n    "
+        "return {5};\n}}\n\n",
+        bits ? "uvec2" : "float", name, items.size(), fmt::join(items, ",\n    "),
+        width == 1 ? "real" : "real3", value);
 }
 
 std::string glsl_operand(const std::string& text) {

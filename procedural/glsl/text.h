@@ -47,6 +47,12 @@ std::string glsl_constant_tables(std::span<const GlslTable> tables, GlslReal rea
 /// by "lf" in float64.
 std::string glsl_number(double value, GlslReal real);
 
+/// The text of a constant array of numbers, or of vectors of three where `width` is 3, and of the
+/// function `real NAME(int i)`, or real3, of its elements. Float64 numbers are kept as their bits:
+/// NVIDIA's compiler (580.159) keeps arrays of float64 that a variable indexes in float32.
+std::string glsl_array(std::string_view name, std::span<const double> numbers, std::size_t width,
+                       GlslReal real);
+
 /// `text` as an operand: in parentheses where it begins with a sign.
 std::string glsl_operand(const std::string& text);
 

@@ -15,7 +15,7 @@ real piece_index(PieceMap map, real f) {
 }
 int piece_at(PieceMap map, real t) {
     int i = map.first;
-    for (int k = 1; k < map.count; ++k) i += t >= piece_starts[map.first + k] ? 1 : 0;
+    for (int k = 1; k < map.count; ++k) i += t >= piece_starts(map.first + k) ? 1 : 0;
     return i;
 }
 
@@ -23,26 +23,26 @@ int piece_at(PieceMap map, real t) {
 real3 extended_color(PieceMap map, real f, real g) {
     real t = piece_index(map, f);
     int i = piece_at(map, t);
-    exact real3 color = map.mean + piece_colors[i] +
-                        (t - piece_starts[i] + (g - f)) * piece_slopes[i];
+    exact real3 color = map.mean + piece_colors(i) +
+                        (t - piece_starts(i) + (g - f)) * piece_slopes(i);
     return color;
 }
 // The first antiderivative of the map less its mean.
 real3 first_integral(PieceMap map, real f) {
     real t = piece_index(map, f);
     int i = piece_at(map, t);
-    exact real x = t - piece_starts[i];
-    exact real3 sum = piece_firsts[i] + x * (piece_colors[i] + x / real(2.0) * piece_slopes[i]);
+    exact real x = t - piece_starts(i);
+    exact real3 sum = piece_firsts(i) + x * (piece_colors(i) + x / real(2.0) * piece_slopes(i));
     return sum;
 }
 // The second antiderivative of the map less its mean.
 real3 second_integral(PieceMap map, real f) {
     real t = piece_index(map, f);
     int i = piece_at(map, t);
-    exact real x = t - piece_starts[i];
-    exact real3 sum = piece_seconds[i] +
-                      x * (piece_firsts[i] +
-                           x * (piece_colors[i] / real(2.0) + x / real(6.0) * piece_slopes[i]));
+    exact real x = t - piece_starts(i);
+    exact real3 sum = piece_seconds(i) +
+                      x * (piece_firsts(i) +
+                           x * (piece_colors(i) / real(2.0) + x / real(6.0) * piece_slopes(i)));
     return sum;
 }
 
@@ -96,13 +96,13 @@ real3 sum_over_breaks(PieceMap map, real t, PieceWidths w) {
     exact real3 sum = extended_color(map, low, t);
     for (real period = first; period <= last; period += real(1.0))
         for (int k = 0; k < map.breaks; ++k) {
-            real position = break_places[map.first_break + k];
+            real position = break_places(map.first_break + k);
             real beyond = map.repeats ? max(start, real(0.0)) : max(start, low);
             if (period == first && position <= beyond) continue;
             exact real away = t - (position + period);
             real2 step = smoothed_break(away, w);
-            exact real3 jump = step.x * break_jumps[map.first_break + k],
-                        kink = step.y * break_kinks[map.first_break + k];
+            exact real3 jump = step.x * break_jumps(map.first_break + k),
+                        kink = step.y * break_kinks(map.first_break + k);
             exact real3 both = jump + kink;
             sum = sum + both;
         }
@@ -229,32 +229,27 @@ real supersampled_board(real3 p, real3 u, real3 v, int axes) {
 
 // The spline of marble over t in [0, 1]: Bernstein's weights of four neighbouring points, or those
 // of the uniform cubic B-spline.
-DualColor dual_spline(real4 t, real3 points[9], bool b_spline) {
+DualColor dual_spline(real4 t, bool b_spline) {
     exact real at = floor(t.x * real(6.0));
     int first = int(min(max(at, real(0.0)), real(5.0)));
     exact real4 u = real(6.0) * t - dual(real(first)), v = dual(real(1.0)) - u;
     real4 u3 = dual_product(dual_product(u, u), u), v3 = dual_product(dual_product(v, v), v);
-    real4 weights[4];
-    weights[0] = v3;
-    weights[1] = dual_product(dual_product(real(3.0) * u, v), v);
-    weights[2] = dual_product(dual_product(real(3.0) * u, u), v);
-    weights[3] = u3;
+    real4 w0 = v3, w1 = dual_product(dual_product(real(3.0) * u, v), v),
+          w2 = dual_product(dual_product(real(3.0) * u, u), v), w3 = u3;
     if (b_spline) {
         exact real4 b = dual(real(4.0)) - dual_product(real(6.0) * u, u) + real(3.0) * u3,
                     c = dual(real(4.0)) - dual_product(real(6.0) * v, v) + real(3.0) * v3;
         const real sixth = real(1.0) / real(6.0);
-        weights[0] = sixth * v3;
-        weights[1] = sixth * b;
-        weights[2] = sixth * c;
-        weights[3] = sixth * u3;
+        w0 = sixth * v3;
+        w1 = sixth * b;
+        w2 = sixth * c;
+        w3 = sixth * u3;
     }
-    exact real4 r = real4(0.0), g = real4(0.0), b = real4(0.0);
-    for (int k = 0; k < 4; ++k) {
-        real3 point = points[first + k];
-        r = r + point.r * weights[k];
-        g = g + point.g * weights[k];
-        b = b + point.b * weights[k];
-    }
+    real3 p0 = marble_points(first), p1 = marble_points(first + 1), p2 = marble_points(first + 2),
+          p3 = marble_points(first + 3);
+    exact real4 r = p0.r * w0 + p1.r * w1 + p2.r * w2 + p3.r * w3;
+    exact real4 g = p0.g * w0 + p1.g * w1 + p2.g * w2 + p3.g * w3;
+    exact real4 b = p0.b * w0 + p1.b * w1 + p2.b * w2 + p3.b * w3;
     return DualColor(r, g, b);
 }
 

@@ -27,26 +27,26 @@ struct SimplexSample {
 
 // A corner of the simplex that holds a point: its skewed coordinates, the point's offset from it,
 // and for each axis its place in the walk from the lowest corner to the highest, in which the
-// largest offset comes first. No array of doubles is indexed by another array's element: software
-// OpenGL reads those wrongly.
+// largest offset comes first.
 struct SimplexCorner {
-    real index[8];
+    real_item index[8];
     float offset[8];
     int rank[8];
 };
 
-SimplexCorner lowest_corner(SimplexLattice lattice, real p[8]) {
+SimplexCorner lowest_corner(SimplexLattice lattice, real_item p[8]) {
     int axes = lattice.axes;
     bool thirds = axes == 3;
     exact real skew = (lattice.stretch - real(1.0)) / real(axes);
-    real cell[8], offset[8];
+    real_item cell[8], offset[8];
     exact real cells = real(0.0), fractions = real(0.0);
     for (int i = 0; i < axes; ++i) {
-        real place;
-        site_along(p[i], 0u, cell[i], place);
+        real whole_cell, place;
+        site_along(from_item(p[i]), 0u, whole_cell, place);
         exact real fraction = place + real(0.5);
-        offset[i] = fraction;
-        cells = cells + cell[i];
+        cell[i] = to_item(whole_cell);
+        offset[i] = to_item(fraction);
+        cells = cells + whole_cell;
         fractions = fractions + fraction;
     }
     exact real product = skew * cells;
@@ -59,23 +59,29 @@ SimplexCorner lowest_corner(SimplexLattice lattice, real p[8]) {
     SimplexCorner corner;
     exact real steps = real(0.0);
     for (int i = 0; i < axes; ++i) {
-        exact real in_thirds = (real(3.0) * offset[i] + fractions + rest3) / real(3.0);
-        exact real skewed = offset[i] + (rest + skew * fractions);
+        real fraction = from_item(offset[i]);
+        exact real in_thirds = (real(3.0) * fraction + fractions + rest3) / real(3.0);
+        exact real skewed = fraction + (rest + skew * fractions);
         real steps_of_axis = floor(thirds ? in_thirds : skewed);
-        corner.index[i] = cell[i] + whole + steps_of_axis;
-        offset[i] = offset[i] - steps_of_axis;
+        exact real index = from_item(cell[i]) + whole + steps_of_axis;
+        exact real left = fraction - steps_of_axis;
+        corner.index[i] = to_item(index);
+        offset[i] = to_item(left);
         steps = steps + steps_of_axis;
     }
     exact real back = rest / lattice.stretch + skew / lattice.stretch * steps;
     for (int i = 0; i < axes; ++i) {
-        exact real moved = offset[i] + back;
-        offset[i] = moved;
+        exact real moved = from_item(offset[i]) + back;
+        offset[i] = to_item(moved);
         corner.offset[i] = float(moved);
     }
     for (int i = 0; i < axes; ++i) {
         corner.rank[i] = 0;
-        for (int j = 0; j < axes; ++j)
-            if (offset[j] > offset[i] || (offset[j] == offset[i] && j < i)) ++corner.rank[i];
+        real here = from_item(offset[i]);
+        for (int j = 0; j < axes; ++j) {
+            real there = from_item(offset[j]);
+            if (there > here || (there == here && j < i)) ++corner.rank[i];
+        }
     }
     return corner;
 }
@@ -87,18 +93,18 @@ void step_corner(SimplexLattice lattice, int k, inout SimplexCorner corner) {
         exact float offset = corner.offset[i] + lattice.unskew;
         exact float nearer = offset - 1.0;
         corner.offset[i] = along ? nearer : offset;
-        if (along) corner.index[i] = corner.index[i] + real(1.0);
+        if (along) corner.index[i] = to_item(from_item(corner.index[i]) + real(1.0));
     }
 }
 
 // Random bits of a lattice point; from the fifth coordinate on, those of the first four are the
 // seed.
-uint simplex_bits(int axes, real index[8], uint seed) {
+uint simplex_bits(int axes, real_item index[8], uint seed) {
     const uint primes[4] = uint[4](prime_x, prime_y, prime_z, prime_w);
     uint h = seed * prime_seed;
     for (int i = 0; i < axes; ++i) {
         if (i == 4) h = mix_bits(h) * prime_seed;
-        h += low_bits_of_sum(index[i]) * primes[i & 3];
+        h += low_bits_of_sum(from_item(index[i])) * primes[i & 3];
     }
     return mix_bits(h);
 }
@@ -148,7 +154,7 @@ void add_signal(SimplexNoise noise, uint bits, float d[8], inout SimplexSample s
 }
 
 // The noise divided by its amplitude, with its gradient.
-SimplexSample simplex_sample(SimplexNoise noise, uint seed, real p[8]) {
+SimplexSample simplex_sample(SimplexNoise noise, uint seed, real_item p[8]) {
     SimplexLattice lattice = noise.lattice;
     SimplexCorner corner = lowest_corner(lattice, p);
     SimplexSample sum = SimplexSample(0.0, float[8](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
@@ -160,13 +166,13 @@ SimplexSample simplex_sample(SimplexNoise noise, uint seed, real p[8]) {
 }
 
 // The sum of octaves; the frequency of the first three coordinates rises.
-real simplex_octaves(SimplexNoise noise, OctaveLadder ladder, real p[8]) {
+real simplex_octaves(SimplexNoise noise, OctaveLadder ladder, real_item p[8]) {
     exact real total = real(0.0), frequency = real(1.0), weight = ladder.amplitude;
     for (int k = 0; k < ladder.octaves; ++k) {
-        real q[8] = p;
+        real_item q[8] = p;
         for (int i = 0; i < 3; ++i) {
-            exact real scaled = frequency * p[i];
-            q[i] = scaled;
+            exact real scaled = frequency * from_item(p[i]);
+            q[i] = to_item(scaled);
         }
         exact real octave = weight * real(simplex_sample(noise, ladder.seed + uint(k), q).value);
         total = total + octave;
@@ -201,7 +207,8 @@ void add_vortex(int axes, uint bits, float offset[8], inout CurlSample sum) {
 CurlSample curl_sample(SimplexLattice lattice, uint seed, real3 p, real time) {
     SimplexCorner corner = lowest_corner(
         lattice,
-        real[8](p.x, p.y, p.z, time, real(0.0), real(0.0), real(0.0), real(0.0)));
+        real_item[8](to_item(p.x), to_item(p.y), to_item(p.z), to_item(time), to_item(real(0.0)),
+                  to_item(real(0.0)), to_item(real(0.0)), to_item(real(0.0))));
     CurlSample sum = CurlSample(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     for (int k = 0; k <= lattice.axes; ++k) {
         add_vortex(lattice.axes, simplex_bits(lattice.axes, corner.index, seed), corner.offset, sum);

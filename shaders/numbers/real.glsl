@@ -36,6 +36,34 @@
 #define exact
 #endif
 
+// Reals in arrays that a variable indexes are of type `real_item`, vectors of four of type `real4_item`:
+// NVIDIA's compiler (580.159) keeps such arrays of float64 in float32, so they are bits.
+#if REAL_IS_DOUBLE
+#define real_item uvec2
+struct real4_item {
+    uvec4 low, high;
+};
+uvec2 to_item(double x) {
+    return unpackDouble2x32(x);
+}
+double from_item(uvec2 bits) {
+    return packDouble2x32(bits);
+}
+real4_item to_item(dvec4 v) {
+    return real4_item(uvec4(unpackDouble2x32(v.x), unpackDouble2x32(v.y)),
+                   uvec4(unpackDouble2x32(v.z), unpackDouble2x32(v.w)));
+}
+dvec4 from_item(real4_item bits) {
+    return dvec4(packDouble2x32(bits.low.xy), packDouble2x32(bits.low.zw),
+                 packDouble2x32(bits.high.xy), packDouble2x32(bits.high.zw));
+}
+#else
+#define real_item float
+#define real4_item vec4
+#define to_item(x) (x)
+#define from_item(x) (x)
+#endif
+
 // The square root, rounded to the nearest number where reals are float64: OpenGL's own need not be,
 // so a step of Newton's follows, whose remainder is exact, since products of a root's halves are.
 #if REAL_IS_DOUBLE

@@ -21,7 +21,7 @@ void write(const std::string& path, const std::vector<float>& values) {
 }
 
 void write_mesh(const std::string& folder, const std::string& name, AtlasKind kind) {
-    const ViewedMesh viewed(name + ".obj", kind, points);
+    const ViewedMesh viewed = viewed_sample(name + ".obj", kind, points);
     std::vector<float> texels, lookups, means;
     nlohmann::json sides = nlohmann::json::array(), rows = nlohmann::json::array();
     for (const Image<Vec3f>& level : viewed.chain.levels) {

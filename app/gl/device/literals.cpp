@@ -29,7 +29,8 @@ std::size_t literal_length(std::string_view text, double& value) {
         return 0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
     const auto length = std::size_t(end - text.data());
-    if (failure != std::errc() || !text.substr(length).starts_with("lf")) return 0;
+    const std::string_view suffix = text.substr(length, 2);
+    if (failure != std::errc() || (suffix != "lf" && suffix != "LF")) return 0;
     return length + 2 < text.size() && is_word(text[length + 2]) ? 0 : length + 2;
 }
 

@@ -6,7 +6,7 @@
 
 namespace burl {
 
-/// The text with every float64 literal (`0.1lf`) that float32 does not hold exactly as
+/// The text with every float64 literal (`0.1lf`, `0.1LF`) that float32 does not hold exactly as
 /// `packDouble2x32(uvec2(LOW, HIGH))`, a constant expression of the nearest number. Comments are
 /// treated like code; lines stay lines.
 std::string with_exact_literals(std::string_view glsl);

@@ -36,12 +36,14 @@ std::string info_log(GLuint object, Get get, GetLog get_log) {
     return log;
 }
 
-/// A compiler's log as one line of a message, its lines separated by semicolons.
+/// The beginning of a compiler's log as one line of a message, its lines separated by semicolons:
+/// a compiler that is out of registers may name thousands of variables.
 std::string in_one_line(const std::string& log) {
+    constexpr std::size_t most = 400;
     std::string line;
     for (const char c : log.substr(0, log.find_last_not_of(" \n\r\t") + 1))
         line += c == '\n' ? std::string("; ") : std::string(1, c);
-    return line;
+    return line.size() <= most ? line : line.substr(0, most) + " ...";
 }
 
 /// A compiled shader, deleted at the end of the scope that links it.
@@ -108,7 +110,7 @@ GlProgram::GlProgram(const GladGLContext& gl, const std::string& name, const Sha
     if (linked == GL_TRUE) return;
     const std::string log = info_log(program_, gl_->GetProgramiv, gl_->GetProgramInfoLog);
     gl_->DeleteProgram(program_);
-    throw Error(ExitCode::runtime,
+    throw Error(ExitCode::unsupported,
                 fmt::format("the shaders of {} do not link: {}", name, in_one_line(log)));
 }
 

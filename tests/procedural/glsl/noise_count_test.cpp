@@ -15,7 +15,7 @@ std::size_t noises(std::string_view json) {
 TEST(NoiseCount, CountsOctaves) {
     EXPECT_EQ(noises(R"({"node": "coordinate"})"), 0u);
     EXPECT_EQ(noises(R"({"node": "fbm", "octaves": 5})"), 5u);
-    EXPECT_EQ(noises(R"({"node": "simplex_nd", "dimensions": 3, "octaves": 7})"), 7u);
+    EXPECT_EQ(noises(R"({"node": "simplex_nd", "dimensions": 3, "octaves": 7})"), 28u);
 }
 
 TEST(NoiseCount, CountsSharedNoisesOnce) {

@@ -11,6 +11,7 @@ TEST(ExactLiterals, BecomeTheBitsOfTheNearestNumber) {
               "x * packDouble2x32(uvec2(0x54442d18u, 0x400921fbu));");
     EXPECT_EQ(with_exact_literals("1e-3lf"), "packDouble2x32(uvec2(0xd2f1a9fcu, 0x3f50624du))");
     EXPECT_EQ(with_exact_literals(".1lf"), "packDouble2x32(uvec2(0x9999999au, 0x3fb99999u))");
+    EXPECT_EQ(with_exact_literals("-.1LF;"), "-packDouble2x32(uvec2(0x9999999au, 0x3fb99999u));");
 }
 
 TEST(ExactLiterals, LeaveAllElse) {

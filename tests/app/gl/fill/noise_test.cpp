@@ -178,7 +178,7 @@ TEST_P(GlNoise, GradientsAtSplitPointsHaveTheKernelsBits) {
     if (!has_point_kernel(noise)) return;
     alignas(64) double arrays[3][256 + batch_padding] = {};
     alignas(64) float sums[5][256 + batch_padding] = {};
-    for (std::size_t j = 0; j < 256; ++j) sums[4][j] = float(j) / 100.0f;
+    for (std::size_t j = 0; j < 256; ++j) sums[4][j] = float(j) * 0.0078125f;
     const NoiseSum sum{
         noise, OctaveShape::ridged, {{noise.seed, 1.0, 1.0}, {noise.seed, 2.0, 0.3}}, 0.0};
     std::vector<float> expected;
@@ -194,8 +194,8 @@ TEST_P(GlNoise, GradientsAtSplitPointsHaveTheKernelsBits) {
         glsl_split_noise(noise, "split_sample", true) +
         fmt::format(
             "vec4 octave(SplitPoint s, int k, float weight) {{\n"
-            "    float kept = float(int(gl_FragCoord.x) + 64 * (int(gl_FragCoord.y) % 4)) / "
-            "100.0;\n"
+            "    float kept = float(int(gl_FragCoord.x) + 64 * (int(gl_FragCoord.y) % 4)) *\n"
+            "        0.0078125;\n"  // processors need not round a quotient of floats as the host
             "    return ridged_octave(split_sample({}u, cells_of(s, k), places_of(s, k)), weight,\n"
             "        weight * float(1 << k), visible_share(kept, float(k)), 0.25);\n"
             "}}\n"
