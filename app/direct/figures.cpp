@@ -168,7 +168,7 @@ Figure flight_figure() {
                 "--plane sea:0,1,0,-0.6 --plane clouds:0,1,0,1 --view 0,-3,3.5 --size 240x180 "
                 "--supersample 1 --unlit --filter {} --set sea:solid.translate.2={:.1f} --set "
                 "clouds:solid.translate.2={:.1f}",
-                filter, -2.0 * way, -3.0 * way));
+                filter, 0.0 - 2.0 * way, 0.0 - 3.0 * way));
     return figure;
 }
 
