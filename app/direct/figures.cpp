@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "app/base/messages.h"
-#include "app/direct/forward_cube.h"
+#include "app/direct/drawn_part.h"
 #include "app/direct/pass_figure.h"
 #include "app/direct/picture.h"
-#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -112,17 +110,18 @@ Figure cubes_figure() {
     return figure;
 }
 
-Image<Rgb8> cube_part(const std::string& arguments) {
-    constexpr std::size_t side = 200;
-    std::istringstream words(arguments);
-    std::string cube, recipe, shown;
-    double size = 0.0;
-    words >> cube >> recipe >> size >> shown;
-    const Texture texture = *plain_texture(load_recipe(recipe).texture);
-    const Image<Rgb8> forward = draw_cube(texture, size, side, CubeMethod::forward);
-    if (shown == "forward") return forward;
-    const Image<Rgb8> pixelwise = draw_cube(texture, size, side, CubeMethod::pixelwise);
-    return shown == "pixelwise" ? pixelwise : disagreement(pixelwise, forward);
+/// Plots of wood's noise on the left, and of marble's four octaves on the right: values and
+/// differences (figures 9 and 10); below the differences of one octave, the first and the fourth
+/// (figure 11).
+Figure lines_figure() {
+    return {
+        "bresenham-lines",
+        "Kameya & Hart, figures 9 to 11: noise along a line by both methods, and what they "
+        "differ by",
+        2,
+        {"line bresenham-wood values all 1", "line bresenham-marble values all 2",
+         "line bresenham-wood difference all 2e-7", "line bresenham-marble difference all 5e-7",
+         "line bresenham-marble difference 1 1.5e-7", "line bresenham-marble difference 4 2e-8"}};
 }
 
 std::string torus_part(std::string_view shown) {
@@ -152,6 +151,25 @@ std::vector<std::string> sphere_parts() {
                         "texture.input.noise.0.range=unit --set texture.input.noise.0.amplitude=1 "
                         "--set texture.input.quadric.J=0",
                         ball)};
+}
+
+/// Three frames of the flight over the seascape, without and with the filter. The camera stands
+/// still, and the planes' textures come towards it by a tenth of the clouds' height a frame.
+Figure flight_figure() {
+    Figure figure{
+        "seascape-flight",
+        "Hart et al. 1999, section 4.4: frames of a flight over the seascape, aliased and "
+        "filtered",
+        3,
+        {}};
+    for (const char* filter : {"none", "trapezoid"})
+        for (const double way : {0.0, 0.1, 0.2})
+            figure.parts.push_back(fmt::format(
+                "--plane sea:0,1,0,-0.6 --plane clouds:0,1,0,1 --view 0,-3,3.5 --size 240x180 "
+                "--supersample 1 --unlit --filter {} --set sea:solid.translate.2={:.1f} --set "
+                "clouds:solid.translate.2={:.1f}",
+                filter, 0.0 - 2.0 * way, 0.0 - 3.0 * way));
+    return figure;
 }
 
 /// Few gates: half of the octaves, interpolated linearly, in numbers of 8.8 bits, and the colour
@@ -231,9 +249,17 @@ std::vector<Figure> paper_1999() {
 std::vector<Figure> figures() {
     std::vector<Figure> all = paper_1999();
     all.push_back(gates_figure());
+    all.push_back(flight_figure());
     all.push_back({"noise-passes",
                    "Hart 2001, figures 4 and 6 to 9: what the passes of multipass noise hold", 4,
                    pass_parts()});
+    all.push_back({"image-channels",
+                   "Hart 2001, figure 5: weights as an image, and its channels one by one", 3,
+                   channel_parts()});
+    all.push_back({"blended-bits",
+                   "Hart 2001, figure 11: numbers blended by bits of coordinates, and by theirs",
+                   2,
+                   {"bits mixed", "bits numbers"}});
     all.push_back({"noise-sphere", "Hart 2001, figure 13: noise on a sphere of solid coordinates",
                    2, sphere_parts()});
     all.push_back(noise_figure());
@@ -243,7 +269,12 @@ std::vector<Figure> figures() {
                    3,
                    {floor_part("none"), floor_part("closed_form"), floor_part("supersample")}});
     all.push_back(cubes_figure());
+    all.push_back(lines_figure());
     return all;
+}
+
+bool Figure::has_commands() const {
+    return !parts.empty() && !is_drawn_part(parts[0]);
 }
 
 Figure find_figure(const std::string& name) {
@@ -260,7 +291,7 @@ Figure find_figure(const std::string& name) {
 }
 
 Image<Rgb8> draw_part(const std::string& arguments) {
-    if (arguments.starts_with("cube ")) return cube_part(arguments);
+    if (is_drawn_part(arguments)) return drawn_part(arguments);
     DirectOptions options;
     CLI::App line;
     options.add(line);

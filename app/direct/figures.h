@@ -15,12 +15,11 @@ struct Figure {
     std::string shows;  ///< one line: the figure that it follows, and its subject
     std::size_t columns = 1;
     /// Arguments of `burl render --direct` except the output, row by row; all parts have one size.
-    /// A part may also be "cube RECIPE SIZE pixelwise|forward|difference"
-    /// (app/direct/forward_cube.h), which no command draws.
+    /// A figure's parts may also be such that no command draws them (drawn_part.h).
     std::vector<std::string> parts;
 
-    /// Whether the parts are arguments of `burl render --direct`, rather than cubes.
-    bool has_commands() const { return !parts.empty() && !parts[0].starts_with("cube "); }
+    /// Whether the parts are arguments of `burl render --direct`.
+    bool has_commands() const;
 };
 
 /// The largest size of a figure's file, in bytes.
@@ -31,8 +30,8 @@ std::vector<Figure> figures();
 /// The figure of this name. Throws Error(usage) listing the figures where there is none.
 Figure find_figure(const std::string& name);
 
-/// The picture of one part: a cube, or the result of the options and the code of `burl render
-/// --direct`.
+/// The picture of one part: that of drawn_part(), or the result of the options and the code of
+/// `burl render --direct`.
 Image<Rgb8> draw_part(const std::string& arguments);
 
 /// The picture of all parts in rows, with white between them.

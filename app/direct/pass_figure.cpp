@@ -53,7 +53,21 @@ std::string square(const std::string& texture) {
         texture);
 }
 
+/// A texture on 4 x 4 cells.
+std::string near_square(const std::string& texture) {
+    return fmt::format(
+        "--plane 0,0,1,0 --view 0,0,6.3432 --size 240x240 --unlit --supersample 1 --recipe noise "
+        "--set 'texture={}'",
+        texture);
+}
+
 }  // namespace
+
+std::vector<std::string> channel_parts() {
+    const std::string s = of("fract", place("1,0,0")), t = of("fract", place("0,1,0"));
+    return {near_square(red_green(s, t, 1.0)), near_square(product(s, "1")),
+            near_square(product(t, "1"))};
+}
 
 std::vector<std::string> pass_parts() {
     const std::string_view s = "1,0,0", t = "0,1,0";

@@ -12,4 +12,8 @@ namespace burl {
 /// numbers of the four corners; these times their weights, which add up to the noise.
 std::vector<std::string> pass_parts();
 
+/// Arguments for three squares of 4 x 4 cells (figure 5): the fractions of s and t as an image's
+/// red and green, then the two as the luminance images that it is made of.
+std::vector<std::string> channel_parts();
+
 }  // namespace burl

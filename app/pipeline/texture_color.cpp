@@ -87,16 +87,13 @@ FilteredNumber opacity_at(const Recipe& recipe, FilterKind kind) {
 }
 
 /// The 1999 model in fixed point with its colour map filtered, as the paper's simulator had both.
-/// The slopes that decide about the filter's width are differences of f over the footprint's two
-/// sides, in the same fixed point; a slope below 2^-F is therefore 0. The colour table has the
-/// map's own precision.
+/// The colour table has the map's own precision.
 FilteredColor fixed_and_filtered(const Texture& texture, const FixedFormat& format,
                                  FilterKind kind) {
     return [field = FixedField(texture, format), colors = FilteredColors(texture.colors, kind)](
                const Vec3d& s, const Footprint& footprint) {
-        const double f = field(s);
-        const double slope_u = field(s + footprint.u) - f, slope_v = field(s + footprint.v) - f;
-        return Vec4d(colors(f, slope_u, slope_v), 1.0);
+        const auto [f, u, v] = spread_over(field, s, footprint);
+        return Vec4d(colors(f, u, v), 1.0);
     };
 }
 

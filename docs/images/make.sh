@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Makes all pictures of README.md and docs/guide/ anew, and some of the other shelves, by Burl itself; those of materials are Blender's (materials.sh).
 #   docs/images/make.sh build/release/bin            all of them
-#   docs/images/make.sh build/release/bin PART...    some: teapot atlases solid bumps precision turntable sheet editor tour graph asset figures materials serpentine page grazing blender
-# Debian's packages netpbm (atlases, solid, bumps, precision, asset, grazing), webp (editor, tour, graph, asset, materials, page, grazing, blender), blender with
+#   docs/images/make.sh build/release/bin PART...    some: teapot atlases solid mip bumps precision turntable sheet editor tour graph asset figures materials serpentine page grazing blender
+# Debian's packages netpbm (atlases, solid, mip, bumps, precision, asset, grazing), webp (editor, tour, graph, asset, materials, page, grazing, blender), blender with
 # python3-numpy (asset, materials, blender), nodejs and chromium (page, grazing) are needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -69,6 +69,21 @@ solid() { # docs/lab/reproduction.md: figures 1, 3 and 6 of "Real-Time Procedura
     pnmcat -tb -white "$scratch"/{1,2,3}.ppm >"$scratch/left.ppm"
     pnmcat -lr "$scratch"/6{uniform,area,length}.ppm >"$scratch/right.ppm"
     pnmcat -lr -white "$scratch"/{left,right}.ppm | pnmquant -quiet 256 | pnmtopng -compression 9 >"$here/solid-2001.png"
+}
+
+mip() { # docs/lab/reproduction.md: pbrt's lookups in MIP levels, trilinear and EWA, beside 16 x 16 samples a pixel
+    local lookup floor=(--plane 0,1,0,-0.5 --view 15,14,3.5 --size 240x240 --unlit)
+    "$burl" render --direct --plane 0,0,1,0 --view 0,0,12.68638 --size 512x512 --unlit --recipe checks \
+        --set 'texture={"node":"checkerboard","a":"#f2ede2","b":"#23303f"}' -o "$scratch/tile.png"
+    for lookup in trilinear ewa; do
+        echo '{"burl": 1, "name": "floor", "texture": {"node": "map_planar", "vs": [0.25, 0, 0], "vt": [0, 0, 0.25],
+            "input": {"node": "image", "file": "tile.png", "lookup": "'$lookup'"}}}' >"$scratch/$lookup.json"
+        "$burl" render --direct --recipe "$scratch/$lookup.json" "${floor[@]}" --supersample 1 -o "$scratch/$lookup.png"
+        pngtopnm "$scratch/$lookup.png" | pnmpad -white -right 4 >"$scratch/$lookup.ppm"
+    done
+    "$burl" render --direct --recipe "$scratch/ewa.json" "${floor[@]}" --supersample 16 --filter none -o "$scratch/samples.png"
+    pngtopnm "$scratch/samples.png" >"$scratch/samples.ppm"
+    pnmcat -lr "$scratch"/{trilinear,ewa,samples}.ppm | pnmquant -quiet 256 | pnmtopng -compression 9 >"$here/mip.png"
 }
 
 precision() { # docs/reference/precision.md
@@ -161,7 +176,7 @@ blender() { # docs/guide/blender.md
     cwebp -quiet -q 88 "$scratch/nodes.png" -o "$here/blender-nodes.webp"
 }
 
-parts=(teapot atlases solid bumps precision turntable sheet editor tour graph asset figures materials serpentine page grazing blender)
+parts=(teapot atlases solid mip bumps precision turntable sheet editor tour graph asset figures materials serpentine page grazing blender)
 for part in "${@:-${parts[@]}}"; do
     [[ " ${parts[*]} " == *" $part "* ]] || { echo "$part is no picture: name some of ${parts[*]}" >&2; exit 1; }
     echo "$part"

@@ -127,6 +127,12 @@ struct Spread {
     double middle = 0.0, u = 0.0, v = 0.0;
 };
 
+/// The spread to first order, from differences.
+Spread central_spread(const FixedField& field, const TexelPlace& texel) {
+    const auto [f, u, v] = spread_over(field, texel.point, texel.steps);
+    return {f, u, v};
+}
+
 /// The spread to first order, from value and gradient at the centre.
 Spread central_spread(const ExactField& field, const TexelPlace& texel) {
     const FieldSample sample = field.sample(texel.point);
@@ -135,7 +141,8 @@ Spread central_spread(const ExactField& field, const TexelPlace& texel) {
 }
 
 /// The spread to second order, from the values at centre and corners (field/corner_samples.h).
-Spread corner_spread(const ExactField& field, const TexelPlace& texel) {
+template <class Field>
+Spread corner_spread(const Field& field, const TexelPlace& texel) {
     const auto [u, v] = texel.steps;
     const double f = field(texel.point);
     const double a = field(texel.point - 0.5 * u - 0.5 * v),
@@ -162,44 +169,59 @@ Image<Pixel> sampled_colors(const Task& task, const ColorMap& colors, const Filt
                 [&](const Field& f, const TexelPlace& t) { return encode(color(f(t.point))); });
 }
 
-template <class Pixel>
+template <class Pixel, class Field>
 Image<Pixel> filtered_colors(const Task& task, const ColorMap& colors, const Filter& filter,
-                             const ExactField& field) {
+                             const Field& field) {
     const FilteredColors color(colors, filter.kind);
     const PixelEncoder<Pixel> encode;
     const bool curved = filter.kind == FilterKind::trapezoid2;
     return fill(task, field, encode(PreparedColorMap(colors)(0.0)),
-                [&](const ExactField& f, const TexelPlace& t) {
+                [&](const Field& f, const TexelPlace& t) {
                     const auto [middle, u, v] = curved ? corner_spread(f, t) : central_spread(f, t);
                     return encode(color(middle, u, v));
                 });
 }
 
-}  // namespace
+/// The image by the way of evaluation that the filter needs.
+template <class Pixel, class Field>
+Image<Pixel> colors_of(const Task& task, const ColorMap& colors, const Filter& filter,
+                       const Field& field) {
+    if (filter.kind == FilterKind::none || filter.kind == FilterKind::supersample)
+        return sampled_colors<Pixel>(task, colors, filter, field);
+    return filtered_colors<Pixel>(task, colors, filter, field);
+}
 
 /// The number of times that every octave is evaluated per texel.
-std::uint64_t evaluations(const Filter& filter) {
-    if (filter.kind == FilterKind::supersample) return std::uint64_t(filter.samples);
-    return filter.kind == FilterKind::trapezoid2 ? 5 : 1;
+std::uint64_t evaluations(const Filter& filter, bool in_fixed_point) {
+    switch (filter.kind) {
+        case FilterKind::none:
+            return 1;
+        case FilterKind::supersample:
+            return std::uint64_t(filter.samples);
+        case FilterKind::trapezoid2:
+            return 5;
+        default:
+            return in_fixed_point ? 3 : 1;
+    }
 }
+
+}  // namespace
 
 template <class Pixel>
 Image<Pixel> synthesize_texels(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                                const Precision& precision, const Filter& filter, int threads,
                                const Economy& economy, const RowWindow& rows) {
+    const bool in_fixed_point = precision.kind == PrecisionKind::fixed;
     const Task task{solid,
                     map,
                     threads,
                     economy,
                     rows.of(solid.size),
-                    evaluations(filter) * expand_octaves(texture).size()};
-    if (precision.kind == PrecisionKind::fixed)
-        return sampled_colors<Pixel>(task, texture.colors, filter,
-                                     FixedField(texture, precision.format));
-    const ExactField field(texture, filter.band_limit);
-    if (filter.kind == FilterKind::none || filter.kind == FilterKind::supersample)
-        return sampled_colors<Pixel>(task, texture.colors, filter, field);
-    return filtered_colors<Pixel>(task, texture.colors, filter, field);
+                    evaluations(filter, in_fixed_point) * expand_octaves(texture).size()};
+    if (in_fixed_point)
+        return colors_of<Pixel>(task, texture.colors, filter,
+                                FixedField(texture, precision.format));
+    return colors_of<Pixel>(task, texture.colors, filter, ExactField(texture, filter.band_limit));
 }
 
 template Image<Rgb8> synthesize_texels(const SolidAtlas&, const Texture&, const Affine3&,

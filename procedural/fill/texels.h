@@ -14,8 +14,9 @@ namespace burl {
 
 /// The rows `rows` of the texture as Rgb8, Rgb16 or RgbF; the arguments are those of
 /// synthesize_model (synthesize.h). precision.kind must be float64 or fixed; fixed requires
-/// has_fixed_point(texture) and the filter `none` or `supersample` with all octaves. All work that
-/// may be left out is left out; `economy` counts octaves as if a texel showed all of each.
+/// has_fixed_point(texture) and a filter with all octaves, whose slopes are differences of f
+/// (spread_over). All work that may be left out is left out; `economy` counts octaves as if a texel
+/// showed all of each.
 template <class Pixel>
 Image<Pixel> synthesize_texels(const SolidAtlas& solid, const Texture& texture,
                                const Affine3& texture_from_atlas, const Precision& precision,

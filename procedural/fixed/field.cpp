@@ -82,4 +82,9 @@ double FixedField::operator()(const Vec3d& point) const {
     return std::ldexp(double(f), -int(format_.fraction_bits));
 }
 
+FixedSpread spread_over(const FixedField& field, const Vec3d& s, const Footprint& sides) {
+    const double f = field(s);
+    return {f, field(s + sides.u) - f, field(s + sides.v) - f};
+}
+
 }  // namespace burl

@@ -8,6 +8,7 @@
 // at the range's ends, as the frame buffers of 2001 did. All rounding is downwards.
 #include <vector>
 
+#include "procedural/batch/texel_batch.h"
 #include "procedural/fixed/noise.h"
 #include "procedural/model/octaves.h"
 
@@ -40,5 +41,15 @@ class FixedField {
     std::vector<Octave> octaves_;
     FixedInteger constant_ = 0;
 };
+
+/// The value of f at a point, and its changes along the two sides of a footprint there.
+struct FixedSpread {
+    double value = 0.0, u = 0.0, v = 0.0;
+};
+
+/// The spread that decides about a filter's width. Fixed point has no gradients, so the changes are
+/// differences to the points one side further, in the same integers: one below 2^-F is 0, and none
+/// exceeds the range of f.
+FixedSpread spread_over(const FixedField& field, const Vec3d& s, const Footprint& sides);
 
 }  // namespace burl

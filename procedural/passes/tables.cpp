@@ -44,12 +44,18 @@ RandomTables random_tables(std::uint32_t seed) {
     return tables;
 }
 
-std::uint32_t BitRandomizer::operator()(const std::array<std::uint32_t, 3>& point) const {
-    auto mixed = std::uint32_t(blend_start), number = mixed;
+std::uint32_t BitRandomizer::mixed(const std::array<std::uint32_t, 3>& point) const {
+    auto blend = std::uint32_t(blend_start);
     for (unsigned bit = 0; bit < bits; ++bit)
         for (unsigned axis = 0; axis < 3; ++axis)
-            mixed = blended_by(point[axis] << (8 - bits + bit), coordinates[3 * bit + axis], mixed);
-    for (unsigned bit = 0; bit < 8; ++bit) number = blended_by(mixed << bit, result[bit], number);
+            blend = blended_by(point[axis] << (8 - bits + bit), coordinates[3 * bit + axis], blend);
+    return blend;
+}
+
+std::uint32_t BitRandomizer::operator()(const std::array<std::uint32_t, 3>& point) const {
+    const std::uint32_t first = mixed(point);
+    auto number = std::uint32_t(blend_start);
+    for (unsigned bit = 0; bit < 8; ++bit) number = blended_by(first << bit, result[bit], number);
     return number;
 }
 

@@ -31,7 +31,10 @@ struct BitRandomizer {
     std::vector<BitColors> coordinates;
     std::array<BitColors, 8> result;
 
-    /// The number, 0..255, of a lattice point with coordinates 0..2^bits - 1.
+    /// The first result, 0..255, of a lattice point with coordinates 0..2^bits - 1: luminances
+    /// blended by the coordinates' bits.
+    std::uint32_t mixed(const std::array<std::uint32_t, 3>& point) const;
+    /// The number, 0..255, of the lattice point: luminances blended by the bits of mixed().
     std::uint32_t operator()(const std::array<std::uint32_t, 3>& point) const;
 };
 BitRandomizer bit_randomizer(std::uint32_t seed, unsigned bits);

@@ -57,18 +57,12 @@ std::string texture_problem(const Json& texture) {
 }
 
 std::string filter_problem(const Json& filter) {
-    const std::string kind = filter.value("kind", "none");
-    if (kind != "none" && kind != "supersample")
-        return fmt::format(
-            "filter.kind is \"{}\", which needs gradients, and fixed point has none; use "
-            "supersample or none",
-            kind);
     if (filter.value("octaves", "keep") == "fade")
         return "filter.octaves is \"fade\"; fixed point keeps all octaves";
     return "";
 }
 
-/// The problem of a recipe with precision.kind "fixed" that asks for noise, nodes or filters
+/// The problem of a recipe with precision.kind "fixed" that asks for noise, nodes or octaves
 /// without a fixed-point form. Keys, types and ranges must have been checked.
 Found find_precision_problem(const Json& recipe) {
     const auto part = [&](const char* key) -> const Json& { return part_of(recipe, key); };

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -47,6 +48,14 @@ double variance(const Image<Rgb8>& image, std::size_t x0, std::size_t y0, std::s
     for (std::size_t y = y0; y < y1; ++y)
         for (std::size_t x = x0; x < x1; ++x) sum += std::pow(image(x, y).g - mean, 2);
     return sum / double((x1 - x0) * (y1 - y0));
+}
+
+/// Mean size of the difference of two pictures' greens, in the rows from `begin` to `end`.
+double mean_change(const Image<Rgb8>& a, const Image<Rgb8>& b, std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t y = begin; y < end; ++y)
+        for (std::size_t x = 0; x < a.width(); ++x) sum += std::abs(a(x, y).g - b(x, y).g);
+    return sum / double((end - begin) * a.width());
 }
 
 TEST(Figures, AreSmallAndInTheRepository) {
@@ -185,6 +194,50 @@ TEST(FigurePasses, WeightedCornersAddUpToTheNoise) {
     EXPECT_GT(variance(noise, 0, 0, noise.width(), noise.height()), 500.0);
 }
 
+TEST(FigureChannels, ImageIsMadeOfItsChannels) {
+    const std::vector<std::string> parts = find_figure("image-channels").parts;
+    ASSERT_EQ(parts.size(), 3u);
+    const Image<Rgb8> image = draw_part(parts[0]), s = draw_part(parts[1]), t = draw_part(parts[2]);
+    for (std::size_t y = 0; y < image.height(); ++y)
+        for (std::size_t x = 0; x < image.width(); ++x) {
+            ASSERT_EQ(image(x, y), (Rgb8{s(x, y).r, t(x, y).r, 0}));
+            ASSERT_EQ(s(x, y), (Rgb8{s(x, y).r, s(x, y).r, s(x, y).r}));
+            // The fraction of a place in 4 x 4 cells of 60 pixels.
+            const double place = double(x % 60) / 60.0 + 0.5 / 60.0;
+            ASSERT_NEAR(srgb_decode(double(s(x, y).r) / 255.0), place, 0.012) << x << ' ' << y;
+        }
+}
+
+/// The share of the variance of 16 x 16 squares that is the same along whole rows or columns.
+double share_of_lines(const Image<Rgb8>& picture) {
+    std::array<double, 16> rows{}, columns{};
+    double mean = 0.0, all = 0.0, rest = 0.0;
+    const auto at = [&](std::size_t i, std::size_t j) {
+        return double(picture(15 * i + 7, 15 * j + 7).g);
+    };
+    for (std::size_t j = 0; j < 16; ++j)
+        for (std::size_t i = 0; i < 16; ++i) {
+            rows[j] += at(i, j) / 16.0, columns[i] += at(i, j) / 16.0;
+            mean += at(i, j) / 256.0;
+        }
+    for (std::size_t j = 0; j < 16; ++j)
+        for (std::size_t i = 0; i < 16; ++i) {
+            all += std::pow(at(i, j) - mean, 2);
+            rest += std::pow(at(i, j) - rows[j] - columns[i] + mean, 2);
+        }
+    return 1.0 - rest / all;
+}
+
+TEST(FigureBits, FirstNumbersAreSumsOfRowsAndColumnsAndSecondOnesHardly) {
+    const std::vector<std::string> parts = find_figure("blended-bits").parts;
+    ASSERT_EQ(parts.size(), 2u);
+    const Image<Rgb8> mixed = draw_part(parts[0]), numbers = draw_part(parts[1]);
+    // 15 rows and 15 columns of 255 degrees of freedom would be 12 % of white noise.
+    EXPECT_GT(share_of_lines(mixed), 0.98);
+    EXPECT_LT(share_of_lines(numbers), 0.5);
+    EXPECT_GT(variance(numbers, 0, 0, 240, 240), 100.0);
+}
+
 TEST(FigureSea, HorizonIsWhereTheViewPutsIt) {
     // 3 degrees below the middle of 180 rows that span 35 degrees.
     const double degree = std::numbers::pi / 180.0;
@@ -196,6 +249,36 @@ TEST(FigureSea, HorizonIsWhereTheViewPutsIt) {
     // The haze at the horizon is of one colour; overhead there are clouds.
     EXPECT_LT(variance(picture, 0, std::size_t(row) - 2, 240, std::size_t(row)), 30.0);
     EXPECT_GT(variance(picture, 0, 0, 240, 30), 800.0);
+}
+
+/// A flight by textures that come towards the camera is one of the camera.
+TEST(FigureFlight, MovesTexturesAsACameraWouldMove) {
+    const std::string rest = "--size 60x48 --supersample 1 --unlit --filter trapezoid";
+    for (const auto& [plane, back] :
+         {std::pair("clouds:0,1,0,1", "-0.3"), {"sea:0,1,0,-0.6", "-0.2"}}) {
+        const std::string recipe = std::string(plane).substr(0, std::string(plane).find(':'));
+        const Image<Rgb8> flown =
+            draw_part(fmt::format("--plane {} --view 0,0,3.4 {}", plane, rest));
+        const Image<Rgb8> moved =
+            draw_part(fmt::format("--plane {} --view 0,0,3.5 {} --set {}:solid.translate.2={}",
+                                  plane, rest, recipe, back));
+        const Image<Rgb8> still =
+            draw_part(fmt::format("--plane {} --view 0,0,3.5 {}", plane, rest));
+        EXPECT_GT(mean_change(flown, still, 0, 48), 2.0);
+        EXPECT_LT(mean_change(flown, moved, 0, 48), 0.01);
+    }
+}
+
+TEST(FigureFlight, FlickersLessNearTheHorizonWithTheFilter) {
+    const std::vector<std::string> parts = find_figure("seascape-flight").parts;
+    ASSERT_EQ(parts.size(), 6u);
+    std::vector<Image<Rgb8>> frames;
+    for (const std::string& part : parts) frames.push_back(draw_part(part));
+    for (const std::size_t i : {0u, 1u}) {
+        EXPECT_GT(mean_change(frames[i], frames[i + 1], 95, 105), 15.0);
+        EXPECT_LT(mean_change(frames[i + 3], frames[i + 4], 95, 105), 8.0);
+        EXPECT_GT(mean_change(frames[i + 3], frames[i + 4], 0, 50), 10.0);  // it does move
+    }
 }
 
 TEST(FigureTorus, FilterGrowsFromTheRingsCentreOutwards) {

@@ -52,6 +52,13 @@ TEST(Precision, DecidesWhatABakeWrites) {
     EXPECT_EQ(bake("--precision fixed:8.4"),
               bake("--set precision.kind=fixed --set precision.fraction_bits=4"));
     EXPECT_EQ(bake("--precision fixed:8.4 -j 1"), bake("--precision fixed:8.4 -j 3"));
+    const std::string point = bake("--precision fixed:8.12");
+    for (const char* filter : {"table-mip", "table-sat", "table-sat3", "exact", "trapezoid",
+                               "trapezoid2", "supersample:4"}) {
+        const std::string filtered = fmt::format("--precision fixed:8.12 --filter {}", filter);
+        EXPECT_NE(bake(filtered), point) << filter;
+        EXPECT_EQ(bake(filtered + " -j 1"), bake(filtered + " -j 3")) << filter;
+    }
     // Graphs have noise in float32, and all else in float64 as it is.
     EXPECT_EQ(bake("-r wrinkled --precision float32"), bake("-r wrinkled"));
     EXPECT_NE(bake("-r wrinkled --depth 16 --precision float64"), bake("-r wrinkled --depth 16"));
@@ -108,8 +115,6 @@ TEST(Precision, RefusesInOneSentenceWhatFixedPointDoesNotHave) {
            "texture.input.noise.0 is worley noise; fixed point has value and perlin noise"},
           {"--precision fixed:8.8 --set texture.input.noise.0.time=1", "noise in time"},
           {"--precision fixed:8.8 --set texture.input.noise.0.period.0=4", "noise with a period"},
-          {"--precision fixed:8.8 --filter trapezoid",
-           "filter.kind is \"trapezoid\", which needs gradients"},
           {"--precision fixed:8.8 --set filter.octaves=fade", "keeps all octaves"}}) {
         const Outcome outcome = run_burl(
             scratch, fmt::format("bake '{}' -o '{}' {}", mesh, scratch / "o.png", options));
@@ -118,13 +123,14 @@ TEST(Precision, RefusesInOneSentenceWhatFixedPointDoesNotHave) {
         EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
     }
     // In a file it is the file that is wrong.
-    const std::string file =
-        scratch.write("r.json", R"({"precision": {"kind": "fixed"}, "filter": {"kind": "exact"}})");
+    const std::string file = scratch.write(
+        "r.json", R"({"precision": {"kind": "fixed"}, "filter": {"octaves": "fade"}})");
     const Outcome outcome =
         run_burl(scratch, fmt::format("bake '{}' -o '{}' -r '{}'", mesh, scratch / "o.png", file));
     EXPECT_EQ(outcome.exit_code, 3);
-    EXPECT_NE(outcome.err.find("r.json: precision.kind is \"fixed\", but filter.kind is \"exact\""),
-              std::string::npos)
+    EXPECT_NE(
+        outcome.err.find("r.json: precision.kind is \"fixed\", but filter.octaves is \"fade\""),
+        std::string::npos)
         << outcome.err;
 }
 

@@ -121,11 +121,14 @@ TEST(SynthesizeTexels, GivesTheSameBytesForEveryThreadCount) {
     const auto filled = [&](const Precision& precision, const Filter& filter, int threads) {
         return synthesize_texels<Rgb8>(solid, texture, texels_twice, precision, filter, threads);
     };
-    const Filter faded{FilterKind::trapezoid2, 1, true}, sampled{FilterKind::supersample, 4, false};
+    const Filter faded{FilterKind::trapezoid2, 1, true}, sampled{FilterKind::supersample, 4, false},
+        sloped{FilterKind::trapezoid, 1, false}, table{FilterKind::table_mip, 1, false};
     for (const auto& [precision, filter] : {std::pair(in_float64, Filter{}),
                                             {in_float64, faded},
                                             {fixed(8, 8), Filter{}},
-                                            {fixed(8, 8), sampled}})
+                                            {fixed(8, 8), sampled},
+                                            {fixed(8, 8), sloped},
+                                            {fixed(8, 8), table}})
         for (const int threads : {2, 7, 0})
             EXPECT_EQ(filled(precision, filter, threads), filled(precision, filter, 1));
 }
@@ -136,7 +139,8 @@ TEST(SynthesizeTexels, LeavesTexelsWithoutOwnerTheColourOfFieldZero) {
     solid.row_begin.assign(5, 0);
     const Rgb8 expected{244, 239, 230};
     for (const Precision& precision : {in_float64, fixed(8, 8)})
-        for (const FilterKind kind : {FilterKind::none, FilterKind::supersample}) {
+        for (const FilterKind kind : {FilterKind::none, FilterKind::supersample,
+                                      FilterKind::trapezoid, FilterKind::table_sat}) {
             const Image<Rgb8> image = synthesize_texels<Rgb8>(solid, texels_marble(), texels_twice,
                                                               precision, {kind, 4, false}, 1);
             for (const Rgb8 c : image.pixels()) EXPECT_EQ(c, expected);

@@ -74,6 +74,16 @@ TEST(FixedField, AddsOctavesAtTheCutPoint) {
               units(0.75 * units((1.0 - std::abs(first)) * (1.0 - std::abs(first)))));
 }
 
+TEST(FixedField, SpreadsByDifferencesAlongBothSides) {
+    const FixedField field(quadric({.a = 1.0, .d = 0.5}), {4, 2});  // f = s^2 + s
+    const FixedSpread spread = spread_over(field, {0.3, 0, 0}, {Vec3d(0.5, 0, 0), Vec3d(0, 1, 0)});
+    // At 0.25 the product (0.25 + 1) 0.25 is cut to 0.25; at 0.75 it is 1.3125, cut to 1.25.
+    EXPECT_EQ(spread.value, 0.25);
+    EXPECT_EQ(spread.u, 1.0);
+    EXPECT_EQ(spread.v, 0.0);
+    EXPECT_EQ(spread_over(field, {0.3, 0, 0}, {Vec3d(0.1, 0, 0), Vec3d(0.0)}).u, 0.0);
+}
+
 /// Wood and marble of the 1999 paper, eq. (5) and (7).
 Texture wood() {
     Texture texture = quadric({.a = 1.0, .e = 1.0});
