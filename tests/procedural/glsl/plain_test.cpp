@@ -13,10 +13,11 @@ TEST(GlslPlain, MakesRealsFloats) {
               "vec3 v = 0.5 * vec3(a) + float(realm);\n");
     EXPECT_EQ(glsl_in_float("a\n#if REAL_IS_DOUBLE\nreal b;\n#else\nreal2 c;\n#endif\nd\n"),
               "a\nvec2 c;\nd\n");
-    EXPECT_EQ(glsl_in_float("real_item a[2] = real_item[2](to_item(real(0.5)), to_item(b + real(c)));\n"
-                            "real4 d = 2.0 * from_item(e[i]).yzww + from_item(to_item(f));\n"),
-              "float a[2] = float[2](0.5, (b + float(c)));\n"
-              "vec4 d = 2.0 * e[i].yzww + f;\n");
+    EXPECT_EQ(
+        glsl_in_float("real_item a[2] = real_item[2](to_item(real(0.5)), to_item(b + real(c)));\n"
+                      "real4 d = 2.0 * from_item(e[i]).yzww + from_item(to_item(f));\n"),
+        "float a[2] = float[2](0.5, (b + float(c)));\n"
+        "vec4 d = 2.0 * e[i].yzww + f;\n");
 }
 
 TEST(GlslPlain, KeepsWhatTheRootNeeds) {
