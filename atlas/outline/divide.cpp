@@ -174,7 +174,8 @@ class Division {
             if (auto chart = flatten(std::move(patch))) charts.push_back(std::move(*chart));
         if (!charts.empty()) return charts;
         const NetOptions options{.longest_flat = longest_chart * std::sqrt(area_),
-                                 .longest = longest_net * std::sqrt(area_)};
+                                 .longest = longest_net * std::sqrt(area_),
+                                 .gap = std::sqrt(area_) / 256.0};
         if (auto net = unfold(mesh_, connectivity_, faces, options)) return std::move(*net);
         return {};
     }

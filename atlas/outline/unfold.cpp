@@ -197,6 +197,7 @@ class Net {
             (!flat &&
              box.area() > most_growth[joint.sharpness] * (to.box.area() + from.box.area())))
             return;
+        if (lies_along(to, from, moved)) return;
         for (std::size_t i = 0; i < moved.size(); ++i) {
             at_[from.triangles[i]] = moved[i];
             piece_of_[from.triangles[i]] = piece_of_[keep / 3];
@@ -223,6 +224,50 @@ class Net {
                     return true;
         }
         return false;
+    }
+
+    /// Whether borders of the two pieces lie along each other that belong to different places of
+    /// the surface: lookups beside one would see the other, for no gutter fits between.
+    bool lies_along(const Piece& piece, const Piece& other, std::span<const Corners> moved) const {
+        if (!(options_.gap > 0.0)) return false;
+        double length = 0.0;
+        for (const std::uint32_t t : piece.triangles)
+            for (std::uint32_t a = 3 * t; a < 3 * t + 3; ++a) {
+                if (across(a) != none) continue;
+                for (std::size_t i = 0; i < moved.size(); ++i)
+                    for (std::uint32_t k = 0; k < 3; ++k)
+                        length += length_along(a, 3 * other.triangles[i] + k,
+                                               {moved[i][k], moved[i][(k + 1) % 3]});
+                if (length > 2.0 * options_.gap) return true;
+            }
+        return false;
+    }
+
+    /// The length of edge a that lies beside edge b, of which the ends are moved to `places`.
+    double length_along(std::uint32_t a, std::uint32_t b,
+                        const std::array<Vec2d, 2>& places) const {
+        const Vec2d &p = start(a), &q = end(a);
+        const double gap = options_.gap;
+        const Vec2d low = glm::min(places[0], places[1]) - gap,
+                    high = glm::max(places[0], places[1]) + gap;
+        if (std::max(p.x, q.x) < low.x || std::min(p.x, q.x) > high.x ||
+            std::max(p.y, q.y) < low.y || std::min(p.y, q.y) > high.y || across(b) != none)
+            return 0.0;
+        constexpr int samples = 8;
+        int beside = 0;
+        for (int i = 0; i < samples; ++i) {
+            const double u = (i + 0.5) / samples;
+            const Vec2d along = places[1] - places[0];
+            const Vec2d at = glm::mix(p, q, u);
+            const double square = glm::dot(along, along);
+            const double v =
+                square > 0.0 ? std::clamp(glm::dot(at - places[0], along) / square, 0.0, 1.0) : 0.0;
+            if (glm::distance(at, places[0] + v * along) > gap) continue;
+            const Vec3d here = glm::mix(point(a), point(next(a)), u),
+                        there = glm::mix(point(b), point(next(b)), v);
+            if (glm::distance(here, there) > 3.0 * gap) ++beside;
+        }
+        return beside * glm::distance(p, q) / samples;
     }
 
     /// The edge on the other side of an edge, where both lie in one piece and are joined there.

@@ -25,6 +25,9 @@ struct NetOptions {
     /// Longest sides of the boxes round triangles that are joined in their plane, and out of it.
     double longest_flat = std::numeric_limits<double>::infinity();
     double longest = std::numeric_limits<double>::infinity();
+    /// Distance up to which borders of different places of the surface may not lie along each
+    /// other in a chart.
+    double gap = 0.0;
 };
 
 /// The charts of a surface's triangles, exact up to rounding; nothing where one has no area, there

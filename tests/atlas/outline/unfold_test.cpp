@@ -1,9 +1,14 @@
 // Nets of shells: exact, without overlap, as few pieces as a person would cut.
 #include "atlas/outline/unfold.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -112,6 +117,97 @@ TEST(Unfold, CylindersAreARectangleAndTwoDisks) {
         EXPECT_NEAR(least_rectangle(convex_hull(chart.outline)).area(), 32.0 * side * 3.0, 1e-6);
     }
     EXPECT_EQ(rectangles, 1);
+}
+
+/// The surface of unit cubes at these places, two triangles a face, with common vertices.
+Mesh cubes(const std::vector<std::array<int, 3>>& places) {
+    const std::set<std::array<int, 3>> filled(places.begin(), places.end());
+    std::map<std::array<int, 3>, std::uint32_t> number;
+    std::vector<Vec3d> positions;
+    const auto vertex = [&](const std::array<int, 3>& at) {
+        const auto [found, is_new] = number.emplace(at, std::uint32_t(positions.size()));
+        if (is_new) positions.emplace_back(at[0], at[1], at[2]);
+        return found->second;
+    };
+    std::vector<Triangle> triangles;
+    for (const std::array<int, 3>& cube : filled)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const int side : {0, 1}) {
+                std::array<int, 3> beside = cube;
+                beside[axis] += side == 0 ? -1 : 1;
+                if (filled.contains(beside)) continue;
+                std::array<std::uint32_t, 4> corner{};
+                for (std::size_t k = 0; k < 4; ++k) {
+                    std::array<int, 3> at = cube;
+                    at[axis] += side;
+                    at[(axis + 1) % 3] += k == 1 || k == 2 ? 1 : 0;
+                    at[(axis + 2) % 3] += k >= 2 ? 1 : 0;
+                    corner[k] = vertex(at);
+                }
+                if (side == 0) std::swap(corner[1], corner[3]);
+                triangles.push_back({corner[0], corner[1], corner[2]});
+                triangles.push_back({corner[0], corner[2], corner[3]});
+            }
+    return made::mesh_of(positions, triangles);
+}
+
+/// The length of the borders of charts where another part of the same border, which is more than
+/// `far` away on the surface, is nearer than `gap`.
+double borders_side_by_side(const Mesh& mesh, const std::vector<FlatChart>& charts, double gap,
+                            double far) {
+    struct Place {
+        Vec2d flat;
+        Vec3d point;
+    };
+    constexpr int steps = 50;
+    double length = 0.0;
+    for (const FlatChart& chart : charts) {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+        for (const Triangle& t : chart.triangles)
+            for (std::size_t k = 0; k < 3; ++k) ++edges[std::minmax(t[k], t[(k + 1) % 3])];
+        std::vector<Place> border;
+        for (std::size_t f = 0; f < chart.faces.size(); ++f)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Triangle &flat = chart.triangles[f], &own = mesh.triangles[chart.faces[f]];
+                const std::size_t j = (k + 1) % 3;
+                if (edges[std::minmax(flat[k], flat[j])] > 1) continue;
+                for (int i = 0; i < steps; ++i) {
+                    const double u = (i + 0.5) / steps;
+                    border.push_back({glm::mix(chart.places[flat[k]], chart.places[flat[j]], u),
+                                      glm::mix(mesh.positions[own[k]], mesh.positions[own[j]], u)});
+                }
+            }
+        for (const Place& a : border)
+            length += std::ranges::any_of(border,
+                                          [&](const Place& b) {
+                                              return glm::distance(a.flat, b.flat) < gap &&
+                                                     glm::distance(a.point, b.point) > far;
+                                          })
+                          ? 1.0 / steps
+                          : 0.0;
+    }
+    return length;
+}
+
+TEST(Unfold, NoBordersOfOtherPlacesLieAlongEachOther) {
+    const std::vector<std::vector<std::array<int, 3>>> shapes{
+        {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}},             // a cross
+        {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}},                                    // an angle
+        {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 1, 1}},              // a bent rod
+        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},                         // a corner
+        {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {2, 0, 1}, {1, 1, 0}}};  // feet
+    double before = 0.0;
+    for (const auto& shape : shapes) {
+        const Mesh mesh = cubes(shape);
+        const Connectivity connectivity = build_connectivity(mesh);
+        const auto close = unfold(mesh, connectivity, all_faces(mesh), {.most = 100}),
+                   apart = unfold(mesh, connectivity, all_faces(mesh), {.most = 100, .gap = 0.05});
+        ASSERT_TRUE(close && apart);
+        expect_exact(mesh, *apart);
+        before += borders_side_by_side(mesh, *close, 0.05, 0.25);
+        EXPECT_LT(borders_side_by_side(mesh, *apart, 0.04, 0.25), 0.15);
+    }
+    EXPECT_GT(before, 2.0) << "shapes that need no care";
 }
 
 TEST(Unfold, BallsAreLeftToOthers) {
