@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include <nlohmann/json.hpp>
-
 #include "app/bake/job.h"
 #include "app/bake/up_to_date.h"
 #include "app/base/sha256.h"
@@ -11,6 +9,7 @@
 #include "app/export/command_files.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/surface/sample_meshes.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/atomic_file.h"
 #include "app/base/embedded.h"
@@ -16,6 +15,7 @@
 #include "app/light/sun.h"
 #include "app/page/data_script.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/file/file_buffer.h"
 
 namespace burl {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "procedural/graph/table.h"
 #include "procedural/model/texture_json.h"
 

@@ -3,12 +3,11 @@
 
 #include <chrono>
 
-#include <nlohmann/json.hpp>
-
 #include "app/bake/job.h"
 #include "app/base/sha256.h"
 #include "app/image/image_io.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl::test {
