@@ -14,8 +14,10 @@
 namespace burl {
 
 Json BakeJob::what_it_is_made_from(const Json& settings) const {
+    // A document that is kept keeps its other images, too.
+    const MeshFiles which = kept_document() ? MeshFiles::named : MeshFiles::read;
     std::vector<std::string> files =
-        files_of_mesh(command_.mesh, MeshFiles::read, command_.meshes.read.named);
+        files_of_mesh(command_.mesh, which, command_.meshes.read.named);
     if (is_pose_file(command_.pose))
         std::ranges::move(files_of_mesh(command_.pose, MeshFiles::read, command_.meshes.read.named),
                           std::back_inserter(files));
