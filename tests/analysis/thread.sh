@@ -28,7 +28,7 @@ check bake burl bake sample:cube --recipe oak --size 64 --threads 4 --levels all
 check batch burl batch sample:cube sample:torus sample:icosphere --recipe marble --recipe oak --size 64 --with levels=1 --jobs 3 \
     --quiet --report out/r.json -o 'out/{mesh}_{recipe}.glb'
 check masks burl bake sample:torus --recipe gold --size 64 --threads 4 --channels occlusion,curvature --quiet -o out/gold.gltf
-check frames burl render sample:torus --direct --recipe marble --size 64x64 --turntable 4 --threads 4 -o out/t.gif
+check frames burl render sample:torus --direct --recipe marble --size 64x64 --turntable 4 -o out/t.gif
 echo '{"burl_input": 1, "size": [640, 400], "steps": [{"settle": true}, {"click": "tab:Parameters"}, {"wait": 2},
     {"drag": "solid.scale", "by": [30, 0]}, {"settle": true}, {"click": "tab:Library"}, {"wait": 20},
     {"key": "Ctrl+S"}, {"wait": 2}, {"double_click": "file name"}, {"key": "Ctrl+A"}, {"type": "out/r.json"}, {"wait": 2},
@@ -38,6 +38,7 @@ echo '{"burl_input": 1, "size": [640, 400], "steps": [{"settle": true}, {"click"
 check editor burl-edit sample:cube --recipe marble --light headlight --set atlas.size=64 --set atlas.tries=1 --exit --unseen \
     --script s.json
 if [[ -x $bin/app_tests ]]; then
-    check app app_tests --gtest_filter='*Thread*:*Queue*:*Worker*:*Baker*:*Schedule*:*FrontBuffer*:*Export*Edit*:*Jobs*:*Batch*:-Long*:Gl*'
+    check app app_tests --gtest_filter='JobQueue*:EditJobQueue*:EditBaker*:EditWorker*:EditExport*:EditThumbnails*:EditFigures*:EditLevels*:'\
+'EditViewMaker*:FileWatch*:Batch*:*Thread*:*Bands*:Pipeline*:TextureCache*:Progress*:-Long*:Gl*'
 fi
 exit $failed
