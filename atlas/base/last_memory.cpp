@@ -43,7 +43,13 @@ void* new_or_last_memory(std::size_t bytes) {
 }
 
 void give_back_memory(void* memory, std::size_t bytes) noexcept {
-    if (!gave_back(memory)) ::operator delete(memory, bytes);
+    if (gave_back(memory)) return;
+#ifdef __cpp_sized_deallocation
+    ::operator delete(memory, bytes);
+#else
+    static_cast<void>(bytes);
+    ::operator delete(memory);
+#endif
 }
 
 }  // namespace burl

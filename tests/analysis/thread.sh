@@ -39,6 +39,6 @@ check editor burl-edit sample:cube --recipe marble --light headlight --set atlas
     --script s.json
 if [[ -x $bin/app_tests ]]; then
     check app app_tests --gtest_filter='JobQueue*:EditJobQueue*:EditBaker*:EditWorker*:EditExport*:EditThumbnails*:EditFigures*:EditLevels*:'\
-'EditViewMaker*:FileWatch*:Batch*:*Thread*:*Bands*:Pipeline*:TextureCache*:Progress*:-Long*:Gl*'
+'EditViewMaker*:FileWatch*:Batch*:*Thread*:Pipeline*:TextureCache*:Progress*:-Long*:Gl*'
 fi
 exit $failed

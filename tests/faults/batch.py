@@ -146,10 +146,10 @@ def failing_memory(batch, report, tries):
 def main():
     burl, report = Burl(*sys.argv[1:4]), Report()
     batch = Batch(burl)
-    failing_calls(batch, report, 1 if EVERY else 29)
-    killed_at_calls(batch, report, 1 if EVERY else 61)
+    failing_calls(batch, report, 3 if EVERY else 29)
+    killed_at_calls(batch, report, 3 if EVERY else 61)
     killed_at_random(batch, report, 100 if EVERY else 6)
-    failing_memory(batch, report, 600 if EVERY else 9)
+    failing_memory(batch, report, 300 if EVERY else 9)
     return report.end("batch")
 
 

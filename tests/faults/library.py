@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A program whose memory ends within the library: library.py BURL LIBRARY FOLDER
-Every allocation of tests/faults/library_user.cpp fails, alone or with all after it. The process must go on: an exception reaches the
-program, which tries again, and the second time succeeds where memory is back. Unless BURL_ALL_FAULTS is set, about 200 of them."""
+Allocations of tests/faults/library_user.cpp fail, alone or with all after it. The process must go on: an exception reaches the
+program, which tries again, and the second time succeeds where memory is back. Unless BURL_ALL_FAULTS is set, about 240 of them."""
 import os, pathlib, signal, sys
 
 from common import EVERY, Burl, Report, contents
@@ -41,10 +41,29 @@ def every_one(user, report, action, count):
         report.add(f"{action} at allocation {number}", wrong and f"{wrong}: {err!r}")
 
 
+def on_threads(user, report, tries):
+    """Runs on four threads with a callback, each with a number of its own, since forks need one thread."""
+    out = user.folder / "threads/out"
+    out.mkdir(parents=True)
+    words = [out / "x.glb", 4]
+    count = user.count(words, "memory,large")
+    new = contents(out)
+    for i in range(tries):
+        for action in ("fail", "fail-on"):
+            number = 1 + (2 * i + (action == "fail")) * count // (2 * tries)
+            (out / "x.glb").write_bytes(b"old")
+            outcome = user.run(words, calls="memory,large", at=number, action=action)
+            code = -signal.SIGALRM if outcome.code is None else outcome.code
+            wrong = judge(code, contents(out), {"x.glb": b"old"}, new)
+            report.add(f"threads: {action} at allocation {number}", wrong and f"{wrong}: {outcome.err!r}")
+
+
 def main():
     burl, report = Burl(*sys.argv[1:4]), Report()
     user = Burl(pathlib.Path(sys.argv[1]).parent / "burl_library_user", *sys.argv[2:4])
-    for action in ("fail", "fail-on"): every_one(user, report, action, 10**9 if EVERY else 100)
+    every_one(user, report, "fail", 2500 if EVERY else 100)  # whose runs do all that is left
+    every_one(user, report, "fail-on", 10000 if EVERY else 100)
+    on_threads(user, report, 500 if EVERY else 20)
     return report.end("library")
 
 
