@@ -11,7 +11,6 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/bake/batch_matrix.h"
 #include "app/base/file_bytes.h"
@@ -21,6 +20,7 @@
 #include "app/recipe/spelling.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/base/named_files.h"
 
 namespace burl {

@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/bake/options.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -1,6 +1,7 @@
 #include "app/bake/batch_run.h"
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <new>
@@ -132,6 +133,8 @@ void run_alone(BatchBake& bake, SharedMesh& mesh, LaterBake later) {
         fail(bake, error.code(), error.what());
     } catch (const std::bad_alloc&) {
         fail(bake, ExitCode::runtime, "out of memory; try a smaller size or mesh");
+    } catch (const std::exception& error) {  // a library's, such as a thread that cannot begin
+        fail(bake, ExitCode::runtime, error.what());
     }
     bake.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

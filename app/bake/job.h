@@ -8,12 +8,11 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/bake/bake.h"
 #include "app/bake/groups.h"
 #include "app/bake/options.h"
 #include "app/measure/report.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bake/job.h"
 #include "app/bake/vertex_colors.h"
 #include "app/base/stopwatch.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

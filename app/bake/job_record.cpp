@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include <nlohmann/json.hpp>
-
 #include "app/bake/job.h"
 #include "app/bake/up_to_date.h"
 #include "app/base/sha256.h"
@@ -11,12 +9,15 @@
 #include "app/export/command_files.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/surface/sample_meshes.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 
 Json BakeJob::what_it_is_made_from(const Json& settings) const {
+    // A document that is kept keeps its other images, too.
+    const MeshFiles which = kept_document() ? MeshFiles::named : MeshFiles::read;
     std::vector<std::string> files =
-        files_of_mesh(command_.mesh, MeshFiles::read, command_.meshes.read.named);
+        files_of_mesh(command_.mesh, which, command_.meshes.read.named);
     if (is_pose_file(command_.pose))
         std::ranges::move(files_of_mesh(command_.pose, MeshFiles::read, command_.meshes.read.named),
                           std::back_inserter(files));

@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/options/input_limits.h"
 #include "app/pipeline/mask_picture.h"
 #include "app/pipeline/material.h"
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/batch/kernel.h"
 
 namespace burl {

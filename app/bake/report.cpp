@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
 #include "app/measure/normal_error.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

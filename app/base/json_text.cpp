@@ -5,9 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

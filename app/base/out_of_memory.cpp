@@ -16,10 +16,11 @@ namespace {
 /// Memory that unwinding and a sentence need at most, in bytes.
 constexpr std::size_t enough_to_go_on = 1u << 16;
 
+std::string_view last_line;
+
 [[noreturn]] void end_without_memory() {
     remove_temporary_files_for_good();
-    constexpr std::string_view sentence = "burl: out of memory; try a smaller --size or mesh\n";
-    [[maybe_unused]] const auto told = ::write(STDERR_FILENO, sentence.data(), sentence.size());
+    [[maybe_unused]] const auto told = ::write(STDERR_FILENO, last_line.data(), last_line.size());
     std::_Exit(int(ExitCode::runtime));
 }
 
@@ -49,9 +50,15 @@ void on_failed_allocation() {
 
 }  // namespace
 
-void end_where_memory_ends() {
+void end_where_memory_ends(std::string_view line) {
+    last_line = line;
     std::set_new_handler(on_failed_allocation);
     std::set_terminate(on_terminate);
+}
+
+std::string words_of(const std::exception& problem) {
+    const bool ended = dynamic_cast<const std::bad_alloc*>(&problem) != nullptr;
+    return ended ? "out of memory" : problem.what();
 }
 
 }  // namespace burl

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -11,9 +11,9 @@
 #include <webp/encode.h>
 #include <CLI/Version.hpp>
 #include <glm/glm.hpp>
-#include <nlohmann/json.hpp>
 
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/batch/texel_batch.h"
 #include "procedural/numbers/simd_target.h"
 

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
 #include "app/measure/metric_texture.h"
 #include "app/measure/metrics_report.h"
+#include "atlas/base/json.h"
 #include "atlas/blocks/pairing.h"
 #include "atlas/blocks/quad_cells.h"
 #include "atlas/blocks/quad_tree.h"

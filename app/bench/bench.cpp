@@ -7,9 +7,9 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/stopwatch.h"
+#include "atlas/base/json.h"
 #include "procedural/batch/texel_batch.h"
 #include "procedural/numbers/simd_target.h"
 

@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/measure/report.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/batch/texel_batch.h"
 
 namespace burl {

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/bench/bench.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

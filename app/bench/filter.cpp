@@ -7,12 +7,12 @@
 #include <random>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 #include "procedural/fill/graph.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/model/octaves.h"

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
 #include "app/bench/noise.h"
+#include "atlas/base/json.h"
 #include "procedural/field/octave_streams.h"
 #include "procedural/numbers/simd_target.h"
 

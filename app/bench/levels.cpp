@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
 #include "app/measure/metric_texture.h"
 #include "app/recipe/lattice_check.h"
+#include "atlas/base/json.h"
 #include "atlas/solid/level.h"
 
 namespace burl {

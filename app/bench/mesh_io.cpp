@@ -2,10 +2,10 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
+#include "atlas/base/json.h"
 #include "atlas/mesh/connectivity.h"
 #include "atlas/read/read_mesh.h"
 #include "atlas/read/readers.h"

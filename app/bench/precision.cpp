@@ -5,13 +5,13 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
 #include "app/bench/synthesis.h"
 #include "app/options/command_options.h"
 #include "app/pipeline/pipeline.h"
+#include "atlas/base/json.h"
 #include "procedural/color/table.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/fill/texels.h"

@@ -7,7 +7,6 @@
 #include <functional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bake/material.h"
 #include "app/bench/command.h"
@@ -15,6 +14,7 @@
 #include "app/image/image_io.h"
 #include "app/pipeline/pipeline.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/json.h"
 #include "atlas/base/memory.h"
 
 namespace burl {

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
 #include "app/measure/metric_texture.h"
 #include "atlas/base/each_index.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/build/mesh_atlas.h"
 #include "atlas/measure/lookup_errors.h"
 #include "atlas/read/read_mesh.h"

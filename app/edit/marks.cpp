@@ -6,11 +6,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/recipe/edit/controls.h"
 #include "app/recipe/schema_check.h"
 #include "app/recipe/spelling.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -4,13 +4,12 @@
 #include <map>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "app/edit/node_kinds.h"
 #include "app/edit/node_words.h"
 #include "app/edit/tree.h"
 #include "app/recipe/edit/leaves.h"
 #include "app/recipe/schema_check.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/json.h"
 
 namespace burl {

@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -5,9 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/table.h"
 
 namespace burl {

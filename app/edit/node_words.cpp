@@ -4,10 +4,10 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/edit/node_kinds.h"
 #include "app/recipe/schema_check.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

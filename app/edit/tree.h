@@ -7,11 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
 #include "app/edit/graph_edit.h"
 #include "app/edit/marks.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/table.h"
 
 namespace burl {

@@ -9,13 +9,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
 #include "app/base/real_path.h"
 #include "app/recipe/presets.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/file/file_buffer.h"
 #include "atlas/file/file_extension.h"
 #include "atlas/gltf/container.h"

@@ -90,7 +90,7 @@ class MaterialWriter {
     /// The alpha times the opacity as an expression of `cover` and `planes`.
     std::string cover() const {
         const double constant = channel_number(recipe_.material, Channel::opacity);
-        const std::string opacity =
+        std::string opacity =
             layout_.of(Channel::opacity) ? share(Channel::opacity) : shader_number(constant);
         if (!clear_) return opacity;
         return opacity == shader_number(1.0) ? "cover" : "cover * " + opacity;

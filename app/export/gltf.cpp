@@ -6,14 +6,13 @@
 #include <filesystem>
 #include <iterator>
 
-#include <nlohmann/json.hpp>
-
 #include "app/export/gltf_file.h"
 #include "app/export/gltf_scene.h"
 #include "app/image/image_io.h"
 #include "app/surface/normals.h"
 #include "app/surface/tangents.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 namespace {

@@ -3,7 +3,8 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include "atlas/base/json.h"
 
 namespace burl {
 namespace {

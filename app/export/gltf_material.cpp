@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
+#include "atlas/base/json.h"
 #include "procedural/color/srgb.h"
 
 namespace burl {

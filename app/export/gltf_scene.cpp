@@ -7,11 +7,10 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include <nlohmann/json.hpp>
-
 #include "app/export/gltf_material.h"
 #include "app/export/vertices.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 namespace {

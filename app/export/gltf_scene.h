@@ -5,11 +5,10 @@
 #include <span>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/export/formats.h"
 #include "app/export/vertices.h"
 #include "app/scene/scene.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

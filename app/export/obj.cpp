@@ -176,7 +176,7 @@ std::string mtl_material(const SceneContent& content) {
 
 /// The material's name in one word, unlike those of faces that keep theirs.
 std::string obj_material_name(const SceneContent& content) {
-    const std::string wanted = without_spaces(material_name(content));
+    std::string wanted = without_spaces(material_name(content));
     if (!content.options.obj) return wanted;
     const std::vector<std::string>& others = content.options.obj->source.materials;
     std::string name = wanted;

@@ -154,7 +154,8 @@ PictureColors decode_png_with_alpha(std::span<const std::uint8_t> bytes,
 }
 
 std::pair<Image<Rgb8>, Image<Grey8>> colors_and_alpha(PictureColors image) {
-    if (auto* opaque = std::get_if<Image<Rgb8>>(&image)) return {std::move(*opaque), {}};
+    if (auto* opaque = std::get_if<Image<Rgb8>>(&image))
+        return {std::move(*opaque), Image<Grey8>()};
     const auto& both = std::get<Image<Rgba8>>(image);
     Image<Rgb8> colors(both.width(), both.height());
     Image<Grey8> alpha(both.width(), both.height());

@@ -10,9 +10,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
+#include "atlas/base/json.h"
 #include "atlas/file/file_buffer.h"
 
 namespace burl {

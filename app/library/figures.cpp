@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/json_text.h"
 #include "app/library/evaluate.h"
@@ -18,6 +17,7 @@
 #include "app/measure/measuring.h"
 #include "app/recipe/channel_texture.h"
 #include "app/recipe/edit/keyed_recipe.h"
+#include "atlas/base/json.h"
 #include "atlas/base/stop.h"
 
 namespace burl::library {

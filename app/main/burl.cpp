@@ -28,6 +28,8 @@
 
 namespace {
 
+constexpr std::string_view out_of_memory = "burl: out of memory; try a smaller --size or mesh\n";
+
 /// Opens /dev/null for a closed stdin, stdout or stderr. Otherwise an output file might get its
 /// descriptor, and messages would go into that file.
 void open_standard_streams() {
@@ -170,7 +172,7 @@ int main(int argc, char** argv) {
     // files and messages; without SIGXFSZ a file-size limit is a write error, too.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    burl::end_where_memory_ends();
+    burl::end_where_memory_ends(out_of_memory);
     burl::clean_up_on_signals();
     return code_with_results(run(argc, argv));
 }

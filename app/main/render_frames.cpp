@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
 #include "app/base/progress.h"
@@ -24,6 +23,7 @@
 #include "app/scene/scene.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/bake/job.h"
 #include "app/base/progress.h"
@@ -12,6 +11,7 @@
 #include "app/main/verbs.h"
 #include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/base/memory.h"
 
 namespace burl {

@@ -15,7 +15,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/bake/batch_manifest.h"
 #include "app/bake/batch_run.h"
@@ -29,6 +28,7 @@
 #include "app/recipe/presets.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

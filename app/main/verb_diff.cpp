@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/export/command_files.h"
 #include "app/image/image_diff.h"
@@ -13,6 +12,7 @@
 #include "app/options/command_options.h"
 #include "app/scene/shading.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

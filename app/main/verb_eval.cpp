@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/main/verbs.h"
 #include "app/measure/evaluate_points.h"
@@ -22,6 +21,7 @@
 #include "app/options/metres.h"
 #include "app/recipe/channel_texture.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/masks.h"
 #include "procedural/model/texture_json.h"
 

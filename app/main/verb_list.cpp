@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/direct/figures.h"
 #include "app/gl/device/context.h"
@@ -20,6 +19,7 @@
 #include "app/recipe/recipe.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/table.h"
 #include "procedural/noise/names.h"
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
 #include "app/base/progress.h"
@@ -19,6 +18,7 @@
 #include "app/pipeline/tasks.h"
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/base/json_text.h"
 #include "app/base/messages.h"
@@ -19,6 +18,7 @@
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -56,7 +56,7 @@ const Element& chosen_material(const Document& document, const MaterialXPath& pa
 /// The shader of a material, which may be the material itself.
 Target shader_of(Reader& reader, const Element& material) {
     if (is_shader(material)) return {&material, nullptr, "", &reader.root()};
-    const Target shader = reader.target(material, "surfaceshader", reader.root());
+    Target shader = reader.target(material, "surfaceshader", reader.root());
     if (!shader.node)
         throw reader.document().error(material, fmt::format("the material \"{}\" has no surface "
                                                             "shader",

@@ -104,7 +104,7 @@ Target Reader::through_interface(const Element& source, const std::string& name,
                                  int hops) {
     const Element* container = scope.instance ? scope.instance : scope.container;
     if (const Element* bound = container->child("input", name)) {
-        const Target target = follow(*bound, scope.outer ? *scope.outer : scope, hops);
+        Target target = follow(*bound, scope.outer ? *scope.outer : scope, hops);
         if (target.node || target.holder) return target;
     }
     for (const Element* fallback : {scope.definition, scope.container}) {

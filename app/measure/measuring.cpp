@@ -4,11 +4,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/image/image_io.h"
 #include "app/pipeline/tasks.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/base/stop.h"
 #include "atlas/measure/uv_atlas.h"
 

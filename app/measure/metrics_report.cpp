@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -4,10 +4,10 @@
 #include <cstdio>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/atomic_file.h"
 #include "app/base/version.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
-#include <nlohmann/json.hpp>
 
 #include "app/page/page.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/gltf/container.h"
 #include "atlas/gltf/document.h"
 

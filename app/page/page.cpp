@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/atomic_file.h"
 #include "app/base/embedded.h"
@@ -16,6 +15,7 @@
 #include "app/light/sun.h"
 #include "app/page/data_script.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/file/file_buffer.h"
 
 namespace burl {
@@ -79,14 +79,42 @@ Json numbers(const Vec3f& v) {
     return {v.x, v.y, v.z};
 }
 
+/// The files of a page, which get their names together, so that no older page is left with some of
+/// this one's; beyond 200 files, 200 at a time.
+class PageFiles {
+  public:
+    explicit PageFiles(std::string folder) : folder_(std::move(folder)) {}
+
+    /// Writes a file of the folder: `write` gets the sink.
+    template <class Write>
+    void add(const std::string& name, const Write& write) {
+        if (files_.size() == most_open) name_all();
+        AtomicFile& file = files_.emplace_back(in_folder(folder_, name));
+        write(sink_of(file));
+        file.finish();
+    }
+    void add_text(const std::string& name, std::string_view text) {
+        add(name, [&](const ByteSink& sink) { sink(bytes_of(text)); });
+    }
+    void name_all() {
+        commit_together(files_);
+        files_.clear();
+    }
+
+  private:
+    static constexpr std::size_t most_open = 200;
+    std::string folder_;
+    std::vector<AtomicFile> files_;
+};
+
 /// Writes the data of a light; returns its entry in the page's contents.
-Json write_light(const std::string& folder, const EnvironmentNote& note) {
+Json write_light(PageFiles& files, const EnvironmentNote& note) {
     const SunAndSky parts = without_sun(make_environment(note.name, light_rows));
     const Image<RgbF>& sky = parts.sky.radiance;
     const std::string file = light_file(note.name);
-    AtomicFile script(in_folder(folder, file));
-    write_data_script(file, Deflater(9).stream(rgbe_pixels(sky.pixels())), sink_of(script));
-    script.commit();
+    files.add(file, [&](const ByteSink& sink) {
+        write_data_script(file, Deflater(9).stream(rgbe_pixels(sky.pixels())), sink);
+    });
     Json entry{
         {"name", note.name}, {"file", file}, {"width", sky.width()}, {"height", sky.height()}};
     if (parts.sun.shines())
@@ -96,16 +124,15 @@ Json write_light(const std::string& folder, const EnvironmentNote& note) {
 }
 
 /// Writes an object and its picture; returns its entry in the page's contents.
-Json write_object(const std::string& folder, const PageObject& object) {
+Json write_object(PageFiles& files, const PageObject& object) {
     const FileBuffer glb = read_file(object.path);
-    AtomicFile script(in_folder(folder, data_file(object)));
-    write_data_script(data_file(object), bytes_of(glb.text()), sink_of(script));
-    script.commit();
+    files.add(data_file(object), [&](const ByteSink& sink) {
+        write_data_script(data_file(object), bytes_of(glb.text()), sink);
+    });
     Json entry{{"name", object.name}, {"file", data_file(object)}, {"bytes", glb.size}};
     if (object.picture) {
-        AtomicFile picture(in_folder(folder, picture_file(object)));
-        encode_webp(codes_of(*object.picture), sink_of(picture), 85);
-        picture.commit();
+        files.add(picture_file(object),
+                  [&](const ByteSink& sink) { encode_webp(codes_of(*object.picture), sink, 85); });
         entry["picture"] = picture_file(object);
     }
     return entry;
@@ -157,13 +184,15 @@ void write_page(const std::string& folder, const std::string& title,
         throw Error(ExitCode::unsupported,
                     "this burl was built without the viewer of pages; build it again where esbuild "
                     "is installed and three.js can be fetched (docs/build.md)");
-    write_file(in_folder(folder, "viewer.js"), viewer());
+    PageFiles files(folder);
+    files.add_text("viewer.js", viewer());
     Json contents{{"title", title}, {"assets", Json::array()}, {"lights", Json::array()}};
     for (const EnvironmentNote& note : environment_notes())
-        contents["lights"].push_back(write_light(folder, note));
+        contents["lights"].push_back(write_light(files, note));
     for (const PageObject& object : objects)
-        contents["assets"].push_back(write_object(folder, object));
-    write_file(in_folder(folder, "index.html"), index_html(title, contents));
+        contents["assets"].push_back(write_object(files, object));
+    files.add_text("index.html", index_html(title, contents));
+    files.name_all();
 }
 
 }  // namespace burl

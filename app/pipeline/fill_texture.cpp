@@ -30,7 +30,7 @@ std::string forward_problem(const Recipe& recipe) {
     const Texture* texture = plain_texture(recipe.texture);
     if (!texture)
         return "the texture has other nodes than a color_map over a field, or transparent stops";
-    if (const std::string why = no_forward_form(expand_octaves(*texture)); !why.empty()) return why;
+    if (std::string why = no_forward_form(expand_octaves(*texture)); !why.empty()) return why;
     if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
         return "filters need f besides the scan line, and differences run along it";
     if (recipe.precision.kind.value_or(PrecisionKind::float64) == PrecisionKind::fixed)

@@ -1,6 +1,5 @@
 #include "app/pipeline/mask_picture.h"
-
-#include <nlohmann/json.hpp>
+#include "atlas/base/json.h"
 
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/fill/graph.h"

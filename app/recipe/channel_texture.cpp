@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/json.h"
 #include "procedural/graph/table.h"
 #include "procedural/model/members.h"

@@ -5,10 +5,10 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/json.h"
 #include "procedural/graph/table.h"
 #include "procedural/noise/spec.h"

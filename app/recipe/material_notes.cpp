@@ -4,11 +4,10 @@
 #include <tuple>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
 #include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -3,8 +3,8 @@
 #include <array>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "procedural/graph/json.h"
 
 namespace burl {

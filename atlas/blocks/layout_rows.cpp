@@ -246,6 +246,7 @@ void RowPlanner::set_heights(std::vector<CellRow>& rows) const {
     const double scale =
         largest_scale([&](double s) { return wanted_heights(rows, s) <= double(size_); });
     std::vector<double> wanted;
+    wanted.reserve(rows.size());
     for (const CellRow& row : rows) wanted.push_back(wanted_height(row, scale));
     const double spare = std::max(0.0, size_ - std::accumulate(wanted.begin(), wanted.end(), 0.0));
     for (double& height : wanted) height += spare / double(rows.size());

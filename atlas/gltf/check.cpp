@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "atlas/gltf/checker.h"
 
 namespace burl {

@@ -3,9 +3,8 @@
 
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/file/text_scanner.h"
 
 namespace burl {

@@ -83,7 +83,7 @@ std::int64_t data_uri_bytes(std::string_view uri) {
 }
 
 std::string confined_file_name(std::string_view uri, NamedFiles named) {
-    const std::string name = percent_decoded(uri);
+    std::string name = percent_decoded(uri);
     if (name.empty()) return {};
     if (name.find_first_of(std::string_view(":\\\0", 3)) != std::string::npos) return {};
     if (named == NamedFiles::anywhere) return name;

@@ -11,9 +11,8 @@
 #include <map>
 #include <new>
 
-#include <nlohmann/json.hpp>
-
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/file/text_scanner.h"
 #include "atlas/gltf/accessor.h"
 #include "atlas/gltf/checker.h"

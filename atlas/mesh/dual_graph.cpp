@@ -83,7 +83,8 @@ std::vector<std::uint32_t> parts_of(const DualGraph& graph, std::uint32_t parts,
     const int status = partitioner(&nodes, &constraints, copy.begin.data(), copy.targets.data(),
                                    copy.node_weights.data(), nullptr, copy.edge_weights.data(),
                                    &count, nullptr, nullptr, options.data(), &cut, part.data());
-    if (status == METIS_ERROR_MEMORY) throw std::bad_alloc();
+    // METIS_ERROR: a partition within the partition failed, which lacks memory, too.
+    if (status == METIS_ERROR_MEMORY || status == METIS_ERROR) throw std::bad_alloc();
     if (status != METIS_OK) return result;
     for (std::size_t i = 0; i < part.size(); ++i) result[i] = static_cast<std::uint32_t>(part[i]);
     return result;

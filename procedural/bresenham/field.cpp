@@ -173,7 +173,7 @@ ForwardCounts fill_line(FieldLine& field, const ForwardOptions& options, double*
 
 std::string no_forward_form(std::span<const Octave> octaves) {
     for (const Octave& octave : octaves) {
-        const std::string why = no_forward_form(octave.noise);
+        std::string why = no_forward_form(octave.noise);
         if (!why.empty()) return why;
         if (octave.shape != OctaveShape::plain) return "|n| is no polynomial where n changes sign";
     }

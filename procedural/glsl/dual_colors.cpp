@@ -43,9 +43,9 @@ std::string marble_points(GlslReal real) {
 
 std::string GlslMapTables::add(const ColorMap& colors) {
     const MapPieces map(colors);
-    const std::string text = fmt::format("PieceMap({}, {}, {}, {}, {}, {})", pieces_.size(),
-                                         map.pieces().size(), breaks_.size(), map.breaks().size(),
-                                         map.wrap() == Wrap::repeat, real3(map.mean(), real_));
+    std::string text = fmt::format("PieceMap({}, {}, {}, {}, {}, {})", pieces_.size(),
+                                   map.pieces().size(), breaks_.size(), map.breaks().size(),
+                                   map.wrap() == Wrap::repeat, real3(map.mean(), real_));
     pieces_.insert(pieces_.end(), map.pieces().begin(), map.pieces().end());
     breaks_.insert(breaks_.end(), map.breaks().begin(), map.breaks().end());
     return text;

@@ -70,7 +70,7 @@ std::string GlslFunctions::new_name(std::string_view stem) {
 }
 
 std::string GlslFunctions::color_map(const ColorPieces& pieces) {
-    const std::string name = new_name("color_map");
+    std::string name = new_name("color_map");
     std::string lines;
     if (pieces.begins.size() > most_compared_pieces) {
         tables_.push_back(piece_table(name, pieces));
@@ -119,7 +119,7 @@ std::string GlslFunctions::array(const char* type, const std::vector<std::string
         fmt::format("{0}[{1}]({2})", type, values.size(), fmt::join(values, ", "));
     for (const auto& [text, name] : arrays_)
         if (text == list) return name;
-    const std::string name = fmt::format("table{}", arrays_.size());
+    std::string name = fmt::format("table{}", arrays_.size());
     add(fmt::format("const {} {}[{}] = {};\n\n", type, name, values.size(), list));
     arrays_.emplace_back(list, name);
     return name;

@@ -44,7 +44,8 @@ std::string GlslSteps::expression(const ValueOperation& operation, const Inputs&
         std::string text = glsl_sum(factors, in, constant, functions_.real());
         return constant == 0.0 && has_angles_ ? fmt::format("unsigned_zero({})", text) : text;
     };
-    const std::string zero = number(0.0), one = number(1.0);
+    std::string zero = number(0.0);
+    const std::string one = number(1.0);
     const auto product = [&](const std::string& a, const std::string& b) {
         return a == one ? b : b == one ? a : fmt::format("{} * {}", a, b);
     };

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "procedural/graph/table.h"
 #include "procedural/model/texture_json.h"
 
@@ -212,8 +212,8 @@ class GraphWriter {
             Json outer = write_keys(graph_.nodes[at]);
             outer["input"] = std::move(json);
             at = graph_.nodes[at].place;
-            const Json name = named(index, at, defined);
-            json = name.is_null() ? std::move(outer) : name;
+            Json name = named(index, at, defined);
+            json = name.is_null() ? std::move(outer) : std::move(name);
         }
         return json;
     }

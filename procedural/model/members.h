@@ -11,9 +11,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "atlas/base/enum_names.h"
+#include "atlas/base/json.h"
 #include "atlas/base/vec.h"
 #include "procedural/batch/parameter.h"
 #include "procedural/model/texture_json.h"

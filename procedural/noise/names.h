@@ -16,6 +16,9 @@ struct Named {
     T value;
     std::string_view text = "";
 };
+/// Compilers before C++20's deduction for aggregates (clang 14) need it said.
+template <class T>
+Named(std::string_view, T, std::string_view = "") -> Named<T>;
 
 /// The words of a table that has all enumerators in the order of their values.
 template <class Enum, std::size_t N>

@@ -38,10 +38,10 @@ class Burl:
             return Outcome(None, "it hangs")
         return Outcome(done.returncode, done.stderr.decode("utf-8", "backslashreplace"))
 
-    def count(self, words, calls, cwd=None):
+    def count(self, words, calls, cwd=None, **more):
         """The number of such calls that the run makes."""
         place = self.folder / "count.txt"
-        outcome = self.run(words, cwd, calls=calls, count=place)
+        outcome = self.run(words, cwd, calls=calls, count=place, **more)
         assert outcome.code == 0, outcome.err
         return int(place.read_text())
 

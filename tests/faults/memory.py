@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Bakes that run out of memory: memory.py BURL LIBRARY FOLDER
 Every allocation of a small bake is the last one that succeeds, or fails alone; so does every block of 64 KiB and more of larger
-bakes. Unless BURL_ALL_FAULTS is set, about 150 of the first, and fewer formats."""
+bakes, and allocations of bakes on four threads. Unless BURL_ALL_FAULTS is set, about 150 of the first, and fewer formats."""
 import os, signal, sys
 
 from common import EVERY, Burl, Outcome, Report, Stage, contents, problem
@@ -42,6 +42,19 @@ def large_blocks(burl, report, ending):
             report.add(f"{ending}: {action} at large block {number}", wrong)
 
 
+def on_threads(burl, report, tries):
+    """Bakes on four threads, each with a number of its own, since forks need one thread; numbers are not the same in every run."""
+    stage = Stage(burl, "threads", ["sample:teapot", "--size", "128", "--threads", "4", "--levels", "all"], "x.glb")
+    for calls, times in ("memory,large", tries), ("large", tries // 3):
+        count = stage.count(calls)
+        print(f"{count} allocations on four threads ({calls})")
+        for i in range(times):
+            for action in ("fail", "fail-on"):
+                number = 1 + (2 * i + (action == "fail")) * count // (2 * times)
+                wrong, _ = stage.run(calls=calls, at=number, action=action, codes=(4,))
+                report.add(f"threads: {action} at allocation {number} of {calls}", wrong)
+
+
 def main():
     burl, report = Burl(*sys.argv[1:4]), Report()
     count = Stage(burl, "count", SMALL, "x.glb").count("memory,large")
@@ -49,6 +62,7 @@ def main():
     every_one(burl, report, "fail-on", 1 if EVERY else count // 150)
     every_one(burl, report, "fail", 1 if EVERY else count // 50)
     for ending in FORMATS if EVERY else ["glb"]: large_blocks(burl, report, ending)
+    on_threads(burl, report, 600 if EVERY else 9)
     return report.end("memory")
 
 

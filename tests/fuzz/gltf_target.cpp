@@ -2,11 +2,10 @@
 #include <algorithm>
 #include <array>
 
-#include <nlohmann/json.hpp>
-
 #include "app/kept/document.h"
 #include "app/scene/scene.h"
 #include "app/surface/tangents.h"
+#include "atlas/base/json.h"
 #include "atlas/mesh/mesh_builder.h"
 #include "atlas/read/gltf_origins.h"
 #include "atlas/read/pose.h"

@@ -2,8 +2,7 @@
 // swap, go, or come.
 #include <array>
 
-#include <nlohmann/json.hpp>
-
+#include "atlas/base/json.h"
 #include "tests/fuzz/mutate.h"
 
 namespace burl::fuzz {

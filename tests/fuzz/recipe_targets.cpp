@@ -4,8 +4,6 @@
 #include <iterator>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
 #include "app/edit/node_graph.h"
 #include "app/export/emit.h"
 #include "app/materialx/materialx.h"
@@ -19,6 +17,7 @@
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/mesh/mesh_builder.h"
 #include "atlas/read/readers.h"
 #include "tests/fuzz/target.h"

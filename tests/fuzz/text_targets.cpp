@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/bake/batch_manifest.h"
 #include "app/bake/up_to_date.h"
@@ -15,6 +14,7 @@
 #include "app/editor/session/script.h"
 #include "app/measure/evaluate_points.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/json.h"
 #include "tests/fuzz/target.h"
 
 namespace burl::fuzz {

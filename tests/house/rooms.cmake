@@ -1,6 +1,6 @@
 # Who may include whom: the rooms of rooms.txt; tests all, assets only atlas, and nobody tests. A shader includes those that its
 # comments name, for GLSL knows no includes. Only rooms that include OpenGL, and the tests of app/gl, app/bench/gl and
-# app/editor/window, name its headers. Usage: cmake -DROOT=folder [-DROOMS=file] -P rooms.cmake
+# app/editor/window, name its headers; nlohmann/json.hpp has one door. Usage: cmake -DROOT=folder [-DROOMS=file] -P rooms.cmake
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/files.cmake)
 if(NOT ROOMS)
@@ -54,6 +54,8 @@ function(complaint_about out file room included)
         if(NOT "OpenGL" IN_LIST allowed AND NOT file MATCHES "^tests/app/(gl|bench/gl|editor/window)/")
             set(why "${room} does not include OpenGL")
         endif()
+    elseif(included STREQUAL "nlohmann/json.hpp" AND NOT file STREQUAL "atlas/base/json.h")
+        set(why "atlas/base/json.h includes it, with an allocator for all")
     elseif(target MATCHES "^(tests|assets)$" AND NOT room MATCHES "^(tests|${target})$")
         set(why "${target} is for itself")
     elseif(room STREQUAL "assets" AND target MATCHES "^(app|procedural)")

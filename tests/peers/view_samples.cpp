@@ -4,8 +4,7 @@
 // texture's side, two unused), row after row, and NAME.means the true colours (three floats).
 #include <fstream>
 
-#include <nlohmann/json.hpp>
-
+#include "atlas/base/json.h"
 #include "tests/app/support/viewed_mesh.h"
 
 namespace {

@@ -1,11 +1,11 @@
 // The table of `burl bench stability`, and the report of one case with all that reproduces it.
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
 #include "app/measure/report.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 #include "tests/stability/stability.h"
 
 namespace burl {

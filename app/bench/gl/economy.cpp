@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
 #include "app/bench/gl/view.h"
@@ -14,6 +13,7 @@
 #include "app/bench/synthesis.h"
 #include "app/pipeline/pipeline.h"
 #include "app/surface/sample_meshes.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
 #include "app/bench/gl/editor_frames.h"
 #include "app/bench/gl/editor_window.h"
 #include "app/editor/window/program.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

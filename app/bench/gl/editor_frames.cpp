@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/meshes.h"
 #include "app/editor/window/program.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

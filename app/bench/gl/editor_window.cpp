@@ -7,7 +7,8 @@
 #include <utility>
 
 #include <glad/gl.h>
-#include <nlohmann/json.hpp>
+
+#include "atlas/base/json.h"
 
 namespace burl {
 

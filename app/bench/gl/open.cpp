@@ -7,13 +7,13 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/stopwatch.h"
 #include "app/bench/command.h"
 #include "app/bench/gl/editor_window.h"
 #include "app/bench/meshes.h"
 #include "app/editor/window/program.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
@@ -16,6 +15,7 @@
 #include "app/gl/fill/synthesize.h"
 #include "app/pipeline/pipeline.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -3,11 +3,14 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <new>
+#include <string_view>
 #include <utility>
 
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
 #include "app/base/messages.h"
+#include "app/base/out_of_memory.h"
 #include "app/base/version.h"
 #include "app/editor/window/program.h"
 #include "app/options/command_options.h"
@@ -17,6 +20,9 @@
 #include "atlas/base/error.h"
 
 namespace {
+
+constexpr std::string_view out_of_memory =
+    "burl-edit: out of memory; try a smaller mesh or texture\n";
 
 struct Command {
     burl::EditorOptions editor;
@@ -109,6 +115,7 @@ void print_manual(const CLI::App& program, const std::string& form) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    burl::end_where_memory_ends(out_of_memory);
     CLI::App program{"Texture editor: open a mesh, move sliders, save a .glb", "burl-edit"};
     Command command;
     command.editor.recipe = "malachite";  // what shows best, in the studio, what there is to edit
@@ -134,6 +141,9 @@ int main(int argc, char** argv) {
     } catch (const burl::Error& error) {
         burl::warn(fmt::format("burl-edit: {}", error.what()));
         return int(error.code());
+    } catch (const std::bad_alloc&) {
+        burl::warn(out_of_memory.substr(0, out_of_memory.size() - 1));
+        return int(burl::ExitCode::runtime);
     } catch (const std::exception& error) {
         burl::warn(fmt::format("burl-edit: {}", error.what()));
         return int(burl::ExitCode::runtime);

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/edit/node_kinds.h"
 #include "app/editor/graph/graph.h"
 #include "app/editor/widgets/keys.h"
+#include "atlas/base/json.h"
 #include "procedural/model/texture_json.h"
 
 namespace burl {

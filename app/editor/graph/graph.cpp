@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/edit/clip.h"
 #include "app/edit/node_kinds.h"
@@ -13,6 +12,7 @@
 #include "app/editor/widgets/keys.h"
 #include "app/editor/widgets/widgets.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

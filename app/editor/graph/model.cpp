@@ -4,9 +4,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/edit/node_kinds.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <imgui_stdlib.h>
-#include <nlohmann/json.hpp>
 
 #include "app/edit/lists.h"
 #include "app/edit/node_kinds.h"
@@ -13,6 +12,7 @@
 #include "app/editor/panels/parameters.h"
 #include "app/editor/session/groups.h"
 #include "app/editor/widgets/flow.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -2,11 +2,11 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/edit/node_kinds.h"
 #include "app/editor/graph/graph.h"
 #include "app/editor/widgets/widgets.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -7,6 +7,7 @@
 
 #include <tbb/task_arena.h>
 
+#include "app/base/out_of_memory.h"
 #include "app/gl/draw/view_scene.h"
 
 namespace burl {
@@ -66,7 +67,7 @@ void BackgroundAtlas::lay_out(Result result, const std::stop_token& stop) {
         const std::scoped_lock lock(mutex_);
         result_ = std::move(result);
     } catch (const std::exception& error) {
-        problem = error.what();
+        problem = words_of(error);
     }
     ended_(problem);
 }

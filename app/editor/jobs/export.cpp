@@ -11,6 +11,7 @@
 
 #include "app/bake/bake.h"
 #include "app/base/atomic_file.h"
+#include "app/base/out_of_memory.h"
 #include "app/editor/jobs/open_files.h"
 #include "app/export/command_files.h"
 #include "app/export/emit.h"
@@ -197,7 +198,7 @@ void EditExport::run(const ExportRequest& request, const std::stop_token& stop) 
         const bool moves = !request.recipe.animation.tracks.empty();
         (moves ? bake_frames : bake_file)(request, stop, course_.get());
     } catch (const std::exception& problem) {
-        outcome = {true, problem.what()};
+        outcome = {true, words_of(problem)};
     }
     {
         const std::scoped_lock lock(mutex_);

@@ -1,5 +1,6 @@
 #include "app/editor/jobs/node_pictures.h"
 
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -77,6 +78,7 @@ void NodePictures::make(const Ball& ball) {
                              : std::make_shared<const Image<Rgb8>>(
                                    ball_picture(look, ball.side, "none", ball.light));
     } catch (const Error&) {  // a node that cannot be drawn by itself has no picture
+    } catch (const std::bad_alloc&) {
     }
     {
         const std::scoped_lock lock(mutex_);

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/base/out_of_memory.h"
 #include "app/export/command_files.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/presets.h"
@@ -69,7 +70,8 @@ FileRead read_opened(const FileWish& wish) {
     } catch (const Error& problem) {
         result.problem = problem;
     } catch (const std::exception& problem) {
-        result.problem = Error(ExitCode::runtime, fmt::format("{}: {}", wish.path, problem.what()));
+        result.problem =
+            Error(ExitCode::runtime, fmt::format("{}: {}", wish.path, words_of(problem)));
     }
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <numbers>
 
 #include "app/direct/picture.h"
@@ -89,6 +90,7 @@ void EditThumbnails::make(const Key& key, const BallLight& light, int number) {
         picture = std::make_shared<Image<Rgb8>>(
             ball_picture(load_recipe(key.first), key.second, "trapezoid", light));
     } catch (const Error&) {  // a recipe that cannot be drawn has no thumbnail
+    } catch (const std::bad_alloc&) {
     }
     {
         const std::scoped_lock lock(mutex_);

@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "app/base/out_of_memory.h"
+
 namespace burl {
 
 JobQueue::JobQueue() : thread_([this](const std::stop_token& ending) { run(ending); }) {}
@@ -138,7 +140,7 @@ void EditWorker::attempt(const WorkerRequest& request, const std::stop_token& st
         work_(request, stop);
     } catch (const std::exception& problem) {
         const std::scoped_lock lock(mutex_);
-        problem_ = problem.what();
+        problem_ = words_of(problem);
     }
 }
 

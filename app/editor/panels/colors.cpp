@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "app/editor/panels/panels.h"
 #include "app/editor/session/groups.h"
 #include "app/editor/session/stops.h"
 #include "app/editor/widgets/slider.h"
 #include "app/editor/widgets/widgets.h"
 #include "app/recipe/edit/leaves.h"
+#include "atlas/base/json.h"
 #include "procedural/model/texture_json.h"
 
 namespace burl {

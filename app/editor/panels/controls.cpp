@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <nlohmann/json.hpp>
 
 #include "app/editor/panels/panels.h"
 #include "app/editor/widgets/leaf_widget.h"
 #include "app/editor/widgets/widgets.h"
 #include "app/recipe/edit/controls.h"
 #include "app/recipe/edit/leaves.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

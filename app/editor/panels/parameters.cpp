@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <nlohmann/json.hpp>
 
 #include "app/editor/session/groups.h"
 #include "app/editor/widgets/widgets.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

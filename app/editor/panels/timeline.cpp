@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <imgui.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include "app/recipe/edit/key_edit.h"
 #include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/edit/leaves.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

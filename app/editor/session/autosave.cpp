@@ -12,7 +12,6 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
@@ -20,6 +19,7 @@
 #include "app/recipe/edit/images.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

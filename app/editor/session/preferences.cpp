@@ -6,11 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

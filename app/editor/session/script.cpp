@@ -6,9 +6,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

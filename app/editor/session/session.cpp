@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/atomic_file.h"
 #include "app/edit/steps.h"
@@ -18,6 +17,7 @@
 #include "app/recipe/edit/leaves.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/edit/node_words.h"
 #include "app/editor/session/groups.h"
 #include "app/recipe/edit/controls.h"
 #include "app/recipe/edit/leaves.h"
 #include "app/recipe/schema_check.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

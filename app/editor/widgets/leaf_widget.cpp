@@ -8,9 +8,9 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
-#include <nlohmann/json.hpp>
 
 #include "app/editor/widgets/widgets.h"
+#include "atlas/base/json.h"
 #include "procedural/model/texture_json.h"
 
 namespace burl {

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
 #include "app/base/real_path.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -4,7 +4,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -47,6 +49,9 @@ PointerShape pointer_of(ImGuiMouseCursor cursor) {
 
 EditorProgram::ImGuiOwner::ImGuiOwner() {
     IMGUI_CHECKVERSION();
+    // Its own allocator does not look at what malloc returns.
+    ImGui::SetAllocatorFunctions([](std::size_t bytes, void*) { return ::operator new(bytes); },
+                                 [](void* memory, void*) { ::operator delete(memory); });
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;

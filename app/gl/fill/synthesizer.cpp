@@ -5,11 +5,11 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/gl/fill/block_levels.h"
 #include "app/gl/fill/multipass.h"
 #include "app/pipeline/measure_synthesis.h"
+#include "atlas/base/json.h"
 #include "atlas/build/block_levels.h"
 
 namespace burl {

@@ -10,9 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
+#include "atlas/base/json.h"
 
 namespace burl::materialx {
 

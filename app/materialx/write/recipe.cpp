@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/json_text.h"
 #include "app/base/version.h"
@@ -14,6 +13,7 @@
 #include "app/materialx/write/steps.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/table.h"
 
 namespace burl::materialx {

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/recipe/edit/check.h"
 #include "app/recipe/edit/controls.h"
 #include "app/recipe/edit/leaves.h"
 #include "app/recipe/edit/settings.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/recipe/edit/controls.h"
 #include "app/recipe/edit/key_check.h"
 #include "app/recipe/graph_check.h"
 #include "app/recipe/schema_check.h"
 #include "app/recipe/spelling.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/json.h"
 #include "procedural/model/texture_json.h"
 

@@ -5,12 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
 #include "app/recipe/control.h"
 #include "app/recipe/edit/places.h"
 #include "app/recipe/schema_check.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -1,12 +1,12 @@
 #include "app/recipe/edit/key_check.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 #include "app/base/messages.h"
 #include "app/recipe/edit/leaves.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

@@ -1,7 +1,6 @@
 #include "app/recipe/edit/key_edit.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/edit/leaves.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 

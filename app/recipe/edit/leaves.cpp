@@ -1,10 +1,10 @@
 #include "app/recipe/edit/leaves.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/schema_check.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/json.h"
 #include "procedural/graph/table.h"
 

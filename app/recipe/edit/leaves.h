@@ -6,10 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 #include "procedural/batch/parameter.h"
 
 namespace burl {

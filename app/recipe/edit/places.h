@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/json_text.h"
+#include "atlas/base/json.h"
 #include "procedural/batch/parameter.h"
 
 namespace burl {

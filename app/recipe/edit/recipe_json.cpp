@@ -7,8 +7,6 @@
 #include <set>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/real_path.h"
 #include "app/image/picture_read.h"
 #include "app/recipe/edit/apply.h"
@@ -17,6 +15,7 @@
 #include "app/recipe/presets.h"
 #include "app/recipe/spelling.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/json.h"
 #include "procedural/model/members.h"
 

@@ -5,12 +5,12 @@
 #include <span>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
 #include "app/recipe/schema_check.h"
 #include "app/recipe/spelling.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/json.h"
 
 namespace burl {

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bake/material.h"
 #include "app/bake/shared_pictures.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/surface/sample_meshes.h"
+#include "atlas/base/json.h"
 #include "atlas/build/alpha_levels.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/build/normal_levels.h"

@@ -3,12 +3,11 @@
 
 #include <chrono>
 
-#include <nlohmann/json.hpp>
-
 #include "app/bake/job.h"
 #include "app/base/sha256.h"
 #include "app/image/image_io.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl::test {
@@ -97,8 +96,7 @@ TEST(UpToDate, ARecordIsOfTheFilesThatItsBakeCommitted) {
 class UpToDateBake : public testing::Test {
   protected:
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", up_to_date_square),
-                      out = scratch / "a.png";
+    std::string mesh = scratch.write("square.obj", up_to_date_square), out = scratch / "a.png";
 
     /// Whether the bake had anything to do; its outputs are there afterwards.
     bool bakes(const std::string& options = "") {
@@ -136,6 +134,28 @@ TEST_F(UpToDateBake, WhateverDecidesTheOutputBringsItBack) {
     scratch.write("square.obj", std::string(up_to_date_square) + "v 2 0 0\nf 2 5 3\n");
     EXPECT_TRUE(bakes());
     EXPECT_FALSE(bakes());
+}
+
+/// The output has the images of materials that are not baked, too.
+TEST_F(UpToDateBake, AnImageThatADocumentKeepsBringsItBack) {
+    const std::string gltf = scratch / "two.gltf";
+    const std::string made = fmt::format("bake sample:cube --recipe oak --size 16 -o '{}'", gltf);
+    ASSERT_EQ(run_burl(scratch, made).exit_code, 0);
+    Json document = Json::parse(slurp(gltf));
+    Json &materials = document["materials"], &meshes = document["meshes"];
+    materials.push_back(materials[0]);
+    materials[0]["name"] = "baked", materials[1]["name"] = "kept";
+    meshes.push_back(meshes[0]);
+    meshes[1]["primitives"][0]["material"] = 1;
+    document["nodes"].push_back({{"mesh", 1}});
+    document["scenes"][0]["nodes"].push_back(1);
+    mesh = scratch.write("two.gltf", document.dump());
+    out = scratch / "two.glb";
+    EXPECT_TRUE(bakes("--material baked"));
+    EXPECT_FALSE(bakes("--material baked"));
+    write_png(scratch / "two.png", Image<Rgb8>(4, 4));
+    EXPECT_TRUE(bakes("--material baked"));
+    EXPECT_FALSE(bakes("--material baked"));
 }
 
 TEST_F(UpToDateBake, OutputsThatWereTouchedAreMadeAgain) {

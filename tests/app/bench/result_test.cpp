@@ -5,12 +5,12 @@
 #include <set>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/meshes.h"
 #include "app/bench/noise.h"
 #include "app/bench/synthesis.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 namespace {

@@ -6,8 +6,8 @@
 #include <array>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl {

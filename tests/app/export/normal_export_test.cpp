@@ -4,7 +4,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/file_bytes.h"
 #include "app/export/export.h"
@@ -12,6 +11,7 @@
 #include "app/scene/scene.h"
 #include "app/surface/normals.h"
 #include "app/surface/tangents.h"
+#include "atlas/base/json.h"
 #include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"

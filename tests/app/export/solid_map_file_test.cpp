@@ -9,11 +9,11 @@
 #include <ImfInputFile.h>
 #include <ImfVecAttribute.h>
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include "app/pipeline/pipeline.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/batch/point_map.h"
 #include "tests/app/programs/run_program.h"
 

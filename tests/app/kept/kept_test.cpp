@@ -9,10 +9,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bake/job.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "atlas/file/file_buffer.h"
 #include "atlas/gltf/accessor.h"
 #include "atlas/gltf/container.h"

@@ -3,10 +3,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/materialx/materialx.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 namespace {

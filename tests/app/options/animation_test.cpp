@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include "app/image/image_io.h"
 #include "app/pipeline/pipeline.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "procedural/model/octaves.h"
 #include "tests/app/programs/run_program.h"
 #include "tests/app/support/sample_scene.h"

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "app/light/environment.h"
 #include "app/page/data_script.h"
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl {

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/pipeline/pipeline.h"
+#include "atlas/base/json.h"
 #include "procedural/graph/json.h"
 #include "tests/app/pipeline/mask_cases.h"
 

@@ -1,7 +1,7 @@
 // `burl bake --no-skip`, `--cache` and the stages of its report.
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl {

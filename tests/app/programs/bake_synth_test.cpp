@@ -1,7 +1,7 @@
 // `burl bake --synth`: the host's bytes through OpenGL, and what it refuses.
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/app/programs/run_program.h"
 

@@ -1,8 +1,7 @@
 // A batch makes the files that single bakes make, shares what they have in common, and lets one bad
 // bake fail alone.
 #include "app/bake/batch_manifest.h"
-
-#include <nlohmann/json.hpp>
+#include "atlas/base/json.h"
 
 #include "atlas/base/error.h"
 #include "tests/app/programs/run_program.h"

@@ -2,9 +2,8 @@
 // name or by a symbolic link, unless --allow-outside is given.
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "app/image/image_io.h"
+#include "atlas/base/json.h"
 #include "atlas/base/named_files.h"
 #include "tests/app/programs/run_program.h"
 

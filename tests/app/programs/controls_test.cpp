@@ -1,12 +1,12 @@
 // Materials and their controls from outside: `burl show`, `burl list materials`, and --set of a
 // control wherever there is a --set.
-#include <nlohmann/json.hpp>
 
 #include <gmock/gmock.h>
 
 #include "app/recipe/material_notes.h"
 #include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 #include "tests/app/recipe/edit/control_samples.h"
 

@@ -1,8 +1,8 @@
 // `burl eval` from outside: what it prints against the library, closed forms and published values.
-#include <nlohmann/json.hpp>
 
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 #include "procedural/fixed/noise.h"
 #include "procedural/model/octaves.h"
 #include "procedural/noise/noise.h"

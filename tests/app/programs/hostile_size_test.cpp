@@ -1,9 +1,8 @@
 // Files of some hundred kilobytes that once took minutes, or more memory than there is.
 #include <chrono>
 
-#include <nlohmann/json.hpp>
-
 #include "app/scene/scene.h"
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl::test {

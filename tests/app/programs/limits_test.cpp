@@ -1,7 +1,7 @@
 // --max-triangles, --max-image and --max-memory, from outside.
-#include <nlohmann/json.hpp>
 
 #include "app/image/image_io.h"
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl::test {

@@ -1,10 +1,10 @@
 // Masks of the shape from outside: in a recipe's material, as pictures of their own, and where the
 // program refuses them.
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include "app/image/image_io.h"
 #include "app/surface/sample_meshes.h"
+#include "atlas/base/json.h"
 #include "atlas/read/read_mesh.h"
 #include "tests/app/programs/run_program.h"
 

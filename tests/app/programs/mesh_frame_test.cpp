@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "atlas/read/read_mesh.h"
 #include "tests/app/programs/run_program.h"
 

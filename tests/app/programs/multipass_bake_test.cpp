@@ -1,9 +1,9 @@
 // `burl bake --synth gl-multipass`, run as a program.
-#include <nlohmann/json.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "atlas/base/json.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/app/programs/run_program.h"
 

@@ -1,9 +1,9 @@
 // Pictures of other formats than PNG by the program: what is written, what is refused, and what a
 // glTF says of them.
-#include <nlohmann/json.hpp>
 
 #include "app/image/image_io.h"
 #include "app/scene/scene.h"
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl::test {

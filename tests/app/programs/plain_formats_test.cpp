@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 #include "atlas/read/read_mesh.h"
 #include "tests/app/programs/run_program.h"
 

@@ -1,7 +1,7 @@
 // The program as its user meets it: a bake that works and says what it did.
-#include <nlohmann/json.hpp>
 
 #include "app/image/image_io.h"
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl::test {

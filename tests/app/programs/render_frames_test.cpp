@@ -2,11 +2,11 @@
 #include <fstream>
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include "app/image/image_diff.h"
 #include "app/image/image_io.h"
 #include "app/image/sheet.h"
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 #include "tests/app/support/decoded_frames.h"
 

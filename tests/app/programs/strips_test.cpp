@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/json_text.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 #include "atlas/file/file_buffer.h"
 #include "atlas/gltf/container.h"
 #include "atlas/read/read_mesh.h"

@@ -1,8 +1,8 @@
 // `burl bake --atlas uv`: texture coordinates that survive, UDIM tiles, sizes and refusals.
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/image/image_io.h"
+#include "atlas/base/json.h"
 #include "atlas/read/read_mesh.h"
 #include "tests/app/programs/run_program.h"
 #include "tests/atlas/support/gltf_files.h"

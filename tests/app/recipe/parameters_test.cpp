@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/embedded.h"
 #include "app/base/json_text.h"
 #include "app/recipe/recipe.h"
+#include "atlas/base/json.h"
 #include "atlas/solid/atlas.h"
 #include "procedural/noise/names.h"
 #include "tests/paths.h"

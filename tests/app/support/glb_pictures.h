@@ -3,10 +3,9 @@
 #include <cstring>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/file_bytes.h"
 #include "app/base/json_text.h"
+#include "atlas/base/json.h"
 #include "tests/app/support/raw_png.h"
 
 namespace burl {

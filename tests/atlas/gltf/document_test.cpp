@@ -4,8 +4,7 @@
 
 #include <tiny_gltf.h>
 
-#include <nlohmann/json.hpp>
-
+#include "atlas/base/json.h"
 #include "tests/atlas/support/gltf_files.h"
 #include "tests/counted_memory.h"
 

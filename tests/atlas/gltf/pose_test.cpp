@@ -1,9 +1,9 @@
 // Poses of a glTF's own skeletons and animations, against closed forms.
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
+#include "atlas/base/json.h"
 #include "atlas/read/pose.h"
 #include "tests/atlas/support/gltf_files.h"
 #include "tests/cpu_time.h"

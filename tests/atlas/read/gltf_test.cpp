@@ -1,7 +1,7 @@
 // glTF: scenes, transforms, instances, primitive modes and accessors against values worked out by
 // hand.
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "tests/atlas/support/gltf_files.h"
 
 namespace burl {

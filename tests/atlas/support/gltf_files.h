@@ -1,8 +1,8 @@
 #pragma once
 // A builder of small glTF files for tests: accessors are appended to one buffer, which is written
 // inside the JSON, in a GLB, or in a file of its own.
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "tests/atlas/support/mesh_files.h"
 
 namespace burl::test {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fill/graph.h"
 #include "procedural/graph/evaluator.h"

@@ -1,9 +1,9 @@
 // Counts of what syntheses do: whole numbers, known beforehand from the atlas and the texture.
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <numeric>
 
+#include "atlas/base/json.h"
 #include "procedural/fill/graph.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/graph/json.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "procedural/graph/evaluator.h"
 #include "procedural/graph/json.h"
 #include "procedural/graph/table.h"

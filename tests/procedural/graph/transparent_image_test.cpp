@@ -4,8 +4,8 @@
 #include <random>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "procedural/color/srgb.h"
 #include "procedural/graph/planes.h"
 #include "procedural/graph/values.h"

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "atlas/base/json.h"
 #include "procedural/color/srgb.h"
 #include "procedural/graph/box_means.h"
 #include "procedural/model/texture_json.h"

@@ -99,6 +99,44 @@ TEST(SimplexKernel, PicksTheSimplexOfExactArithmeticOnBorders) {
     }
 }
 
+/// A texel, in units of 2^-29 cells, whose skewed coordinate along x, rounded down, lies `below`
+/// units below a whole number; with others where no such x was found.
+std::array<std::int64_t, 3> near_border(std::mt19937_64& random, std::int64_t below) {
+    constexpr std::int64_t cell = std::int64_t(1) << 29;
+    std::array<std::int64_t, 3> texel{};
+    for (std::int64_t& x : texel) x = std::int64_t(random() % std::uint64_t(300 * cell));
+    const auto skewed = [&](std::int64_t x) { return x + (x + texel[1] + texel[2]) / 3; };
+    // Four thirds of a unit for each unit of x.
+    const std::int64_t aim = (skewed(texel[0]) / cell + 1) * cell - below;
+    texel[0] += (aim - skewed(texel[0])) * 3 / 4;
+    while (skewed(texel[0]) < aim) ++texel[0];
+    return skewed(texel[0]) == aim ? texel : near_border(random, below);
+}
+
+TEST(SimplexKernel, PicksTheSimplexOfExactArithmeticBesideBorders) {
+    // A place that is off by a unit of 2^-29 cells lies in the next simplex.
+    const auto stream = std::make_unique<LatticeStream>();
+    std::mt19937_64 random(5);
+    const NoiseSpec noise{.kind = NoiseKind::simplex, .radius2 = 0.6, .seed = 9};
+    for (const std::int64_t below : {0, 1, 2}) {
+        alignas(64) float sums[batch_capacity + batch_padding] = {};
+        for (std::size_t j = 0; j < batch_capacity; ++j) {
+            const auto texel = near_border(random, below);
+            for (int axis = 0; axis < 3; ++axis)
+                stream->set(axis, j, std::uint64_t(texel[(std::size_t(axis) + j) % 3]) << 3);
+        }
+        simplex_kernel(false)({9, 0, 1.0f, 0.6}, *stream, nullptr, batch_capacity, sums, nullptr);
+        for (std::size_t j = 0; j < batch_capacity; ++j) {
+            Point<3> p;
+            for (int axis = 0; axis < 3; ++axis)
+                p[std::size_t(axis)] = std::ldexp(double(std::int64_t(stream->at(axis, j))), -32);
+            ASSERT_NEAR(double(sums[j]) * stream_unit(NoiseKind::simplex),
+                        sample_noise<double>(noise, p).value, 3e-7)
+                << below << " " << j;
+        }
+    }
+}
+
 TEST(SimplexKernel, GivesGradientsWithTheBitsOfValuesAlone) {
     const auto stream = std::make_unique<LatticeStream>();
     std::mt19937_64 random(13);

@@ -4,7 +4,6 @@
 #include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>
@@ -12,6 +11,7 @@
 #include "app/base/embedded.h"
 #include "app/editor/panels/parameters.h"
 #include "app/recipe/edit/key_check.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 namespace {

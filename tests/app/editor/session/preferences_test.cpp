@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/atomic_file.h"
+#include "atlas/base/json.h"
 #include "tests/app/support/scratch_folder.h"
 
 namespace burl {

@@ -4,7 +4,6 @@
 #include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 
@@ -15,6 +14,7 @@
 #include "app/image/image_io.h"
 #include "app/recipe/edit/images.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "tests/app/support/scratch_folder.h"
 
 namespace burl {

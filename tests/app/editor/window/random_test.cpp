@@ -3,7 +3,6 @@
 // back, and undo leads to where it began.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <chrono>
@@ -20,6 +19,7 @@
 #include "app/base/embedded.h"
 #include "app/base/stopwatch.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/json.h"
 #include "atlas/base/memory.h"
 #include "tests/app/editor/window/fixture.h"
 #include "tests/app/editor/window/random_hand.h"

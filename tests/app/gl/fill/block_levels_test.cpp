@@ -7,11 +7,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/bench/meshes.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/pipeline/pipeline.h"
+#include "atlas/base/json.h"
 #include "tests/app/gl/device/fixture.h"
 
 namespace burl {

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/embedded.h"
 #include "app/bench/meshes.h"
 #include "app/gl/fill/synthesize.h"
 #include "app/pipeline/pipeline.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/json.h"
 #include "procedural/fill/graph.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/paths.h"

@@ -11,12 +11,12 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/embedded.h"
 #include "app/bench/meshes.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/pipeline/pipeline.h"
+#include "atlas/base/json.h"
 #include "procedural/fill/graph.h"
 #include "procedural/glsl/functions.h"
 #include "procedural/graph/table.h"

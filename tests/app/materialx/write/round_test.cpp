@@ -5,13 +5,13 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/base/json_text.h"
 #include "app/materialx/materialx.h"
 #include "app/materialx/write/recipe.h"
 #include "app/measure/evaluate_points.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/json.h"
 #include "atlas/read/read_mesh.h"
 #include "procedural/graph/masks.h"
 #include "tests/app/support/scratch_folder.h"

@@ -3,13 +3,13 @@
 #include "app/recipe/edit/recipe_json.h"
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
 #include "app/recipe/edit/key_check.h"
 #include "app/recipe/edit/leaves.h"
 #include "atlas/base/error.h"
+#include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl::test {

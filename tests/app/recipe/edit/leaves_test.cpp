@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>
 
 #include "app/base/embedded.h"
 #include "app/recipe/edit/settings.h"
+#include "atlas/base/json.h"
 
 namespace burl {
 namespace {

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""The editor when its memory ends: editor.py BURL LIBRARY FOLDER
+A script saves a recipe and exports a .glb over old files, without a window; allocations fail, one alone or with all after it. The
+editor goes on, or ends by the sentence and exit code 4; each file is old or new. Allocations that Mesa and LLVM make themselves are
+spared: they do not look at what they get. Unless BURL_ALL_FAULTS is set, 8 of all and 4 of 64 KiB and more."""
+import json, pathlib, shutil, sys
+
+from common import EVERY, RECORD, Burl, Report, contents, is_whole_record
+
+SPARED = "OSMesa,LLVM,glapi,libc.so"
+SENTENCE = "burl-edit: out of memory; try a smaller mesh or texture\n"
+WORDS = "sample:cube --recipe marble --light headlight --set atlas.size=32 --set atlas.tries=1 --exit --unseen --script".split()
+
+
+def into(file):
+    """The steps of a dialog that saves to a file that is there."""
+    return [{"wait": 2}, {"double_click": "file name"}, {"key": "Ctrl+A"}, {"type": file}, {"wait": 2}, {"click": "file ok"},
+            {"wait": 2}, {"click": "file replace"}, {"settle": True}, {"wait": 2}]
+
+
+class Editor(Burl):
+    """burl-edit with a folder whose files it replaces."""
+
+    def __init__(self, burl, library, folder):
+        super().__init__(pathlib.Path(burl).parent / "burl-edit", library, folder)
+        self.out, self.script = self.folder / "out", self.folder / "s.json"
+        steps = [{"settle": True}, {"key": "Ctrl+S"}, *into("out/r.json"), {"key": "Ctrl+E"}, *into("out/x.glb")]
+        self.script.write_text(json.dumps({"burl_input": 1, "size": [640, 400], "steps": steps}))
+        self.reset()
+        self.old = contents(self.out)
+        assert self.play().code == 0
+        self.new = contents(self.out)
+        assert all(self.new[name] != self.old[name] for name in self.old)
+
+    def reset(self):
+        shutil.rmtree(self.out, ignore_errors=True)
+        self.out.mkdir()
+        for name in ("r.json", "x.glb"): (self.out / name).write_text("old")
+
+    def play(self, **faults):
+        self.reset()
+        return self.run([*WORDS, self.script], spared=SPARED, **faults)
+
+    def problem(self, outcome):
+        """What is wrong about the end of a script that met a fault, and about the files."""
+        if outcome.code == 4:
+            if outcome.err != SENTENCE: return f"exit code 4 and {outcome.err!r}"
+        elif outcome.code != 0: return f"exit code {outcome.code}: {outcome.err!r}"
+        found = contents(self.out)
+        for name, data in found.items():
+            if name.endswith(RECORD) and is_whole_record(data): continue
+            if data not in (self.old.get(name), self.new.get(name)): return f"{name} is neither old nor new"
+        return "" if set(self.old) <= set(found) else f"lost: {sorted(set(self.old) - set(found))}"
+
+
+def main():
+    editor, report = Editor(*sys.argv[1:4]), Report()
+    for calls, tries in ("memory,large", 150 if EVERY else 4), ("large", 50 if EVERY else 2):
+        count = editor.count([*WORDS, editor.script], calls, spared=SPARED)
+        print(f"{count} allocations ({calls})")
+        for i in range(tries):
+            for action in ("fail", "fail-on"):
+                number = 1 + (2 * i + (action == "fail")) * count // (2 * tries)
+                outcome = editor.play(calls=calls, at=number, action=action)
+                report.add(f"{action} at {number} of {calls}", editor.problem(outcome))
+    return report.end("editor")
+
+
+sys.exit(main())
