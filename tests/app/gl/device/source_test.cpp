@@ -74,7 +74,7 @@ TEST_F(ShaderSourceTest, LinkErrorsCarryTheLog) {
         make_full_screen_program(context->gl(), "unlinked", fragment);
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::runtime);
+        EXPECT_EQ(error.code(), ExitCode::unsupported);
         EXPECT_THAT(error.what(), HasSubstr("unlinked do not link"));
         EXPECT_THAT(error.what(), HasSubstr("undefined_function"));
     }
