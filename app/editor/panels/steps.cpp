@@ -24,15 +24,16 @@ void kept_state(const PanelContext& context, std::size_t index) {
     ImGui::SameLine();
     const char* const back = "go back to it";
     const char* const none = "nothing kept";
+    const bool is_kept = kept.has_value();  // as this frame shows it, whatever its buttons do
     const std::vector<float> widths =
-        kept ? std::vector{button_width("keep this"), button_width(back), button_width("forget")}
-             : std::vector{button_width("keep this"), ImGui::CalcTextSize(none).x};
+        is_kept ? std::vector{button_width("keep this"), button_width(back), button_width("forget")}
+                : std::vector{button_width("keep this"), ImGui::CalcTextSize(none).x};
     Flow flow(widths);
     flow.next();
     if (ImGui::Button("keep this")) kept = context.session.recipe();
     context.items.note("keep:" + name);
     tip(fmt::format("Keeps the recipe as it is now, as {} (Shift+{}).", name, name).c_str());
-    if (kept) {
+    if (is_kept) {
         flow.next();
         if (ImGui::Button(back))
             context.session.build([&](const Recipe&) {

@@ -18,9 +18,9 @@ class Flow {
     explicit Flow(const std::vector<float>& widths)
         : widths_(widths), room_(ImGui::GetContentRegionAvail().x) {}
 
-    /// Goes on to the place of the next widget.
+    /// Goes on to the place of the next widget, of which there must be one more.
     void next() {
-        const float gap = ImGui::GetStyle().ItemSpacing.x, width = widths_[at_++];
+        const float gap = ImGui::GetStyle().ItemSpacing.x, width = widths_.at(at_++);
         const bool fits = used_ > 0.0f && used_ + gap + width <= room_;
         if (fits) ImGui::SameLine();
         used_ = fits ? used_ + gap + width : width;
