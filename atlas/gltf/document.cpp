@@ -77,6 +77,7 @@ bool understood(const std::string& extension) {
 }
 
 void check_extensions(const GltfChecker& gltf, const Json& root, const std::string& path) {
+    gltf.array_in(root, "extensionsUsed", "glTF");
     const Json* required = gltf.array_in(root, "extensionsRequired", "glTF");
     if (required == nullptr) return;
     for (const Json& name : *required) {

@@ -1,5 +1,7 @@
 #pragma once
 // The look of the user interface: colours of the dark and the light theme, spacing and rounding.
+#include <algorithm>
+
 #include <imgui.h>
 
 #include "app/editor/session/preferences.h"
@@ -31,6 +33,12 @@ const Palette& palette();
 /// A colour of the palette as ImGui's style colours are given.
 inline ImVec4 style_color(ImU32 color) {
     return ImGui::ColorConvertU32ToFloat4(color);
+}
+
+/// The radius of a rectangle's corners, 0 where it is small: ImGui 1.86 divides by 0 where a side
+/// is one or two pixels and up to a millionth of one more.
+inline float corner_radius(const ImVec2& low, const ImVec2& high, float wanted) {
+    return std::min(high.x - low.x, high.y - low.y) >= 4.0f ? wanted : 0.0f;
 }
 
 }  // namespace burl
