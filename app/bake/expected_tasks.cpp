@@ -58,14 +58,15 @@ std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& rec
     const double texels = double(recipe.atlas.columns()) * double(recipe.atlas.rows());
     const double share = texels / double(recipes.size()), shown = usual_coverage * share;
     const AtlasKind kind = recipe.atlas.kind;
-    std::vector<ExpectedTask> textures, normals;
+    ExpectedTask texture{tasks::texture, 0.0};
+    std::vector<ExpectedTask> normals;
     std::vector<double> pictures;
     double levels = 0.0;
     std::size_t normal_maps = 0;
     for (const Recipe& one : recipes) {
         const TrialCosts costs = costs_of(plan, one, pipeline);
         const bool on_host = !pipeline.context().synthesizer;
-        textures.push_back({tasks::texture, on_host ? shown * costs.texture : 0.0});
+        if (on_host) texture.seconds += shown * costs.texture;
         if (costs.normal_maps > 0) normals.push_back({tasks::normals, shown * costs.normals});
         levels += costs.levels * share;
         pictures.resize(std::max(pictures.size(), costs.pictures.size()), 0.0);
@@ -83,9 +84,9 @@ std::vector<ExpectedTask> expected_tasks(const BakePlan& plan, const Recipe& rec
     };
     const bool writes = !plan.paths.empty();
     const bool floats = writes && plan.kind == ImageKind::rgb_float;
-    if (floats) textures.back().seconds += exr_seconds * texels;
+    if (floats) texture.seconds += exr_seconds * texels;
     if (floats) add(normals);  // the map is a file of its own
-    add(textures);
+    all.push_back(texture);
     if (plan.levels.count > 0) all.push_back({tasks::levels, levels});
     for (std::size_t i = 0; !floats && i < normal_maps; ++i) add(normals);
     if (writes && !floats)

@@ -18,6 +18,7 @@
 #include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
+#include "app/options/input_limits.h"
 #include "app/options/metres.h"
 #include "app/pipeline/fill_texture.h"
 #include "app/recipe/edit/recipe_json.h"
@@ -196,6 +197,7 @@ void BakeJob::check() const {
     for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_shares();
     check_idle();
+    check_noises(command_.out, noises(), command_.recipe);
 }
 
 /// Throws Error(usage) if an option would have no effect.
@@ -275,6 +277,7 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     if (command_.udim) {
         plan = plan_of_tiles(pipeline, plan, recipes[0]);
         check_files(plan.paths);
+        check_noises(command_.out, noises() * double(plan.paths.size()), command_.recipe);
         if (plan.paths.size() > 1) later = std::max(later, LaterBake::mesh);
     }
     plan.kept = kept;

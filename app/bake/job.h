@@ -87,6 +87,7 @@ class BakeJob {
     void check() const;
     void check_files(const std::vector<std::string>& paths) const;
     std::string not_of(const Recipe& recipe) const;
+    double noises() const;
     void check_displacement() const;
     void check_coding() const;
     void check_strips() const;

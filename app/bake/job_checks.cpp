@@ -2,6 +2,9 @@
 // command asks for.
 #include "app/bake/job.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "app/bake/shared_pictures.h"
@@ -9,6 +12,7 @@
 #include "app/base/messages.h"
 #include "app/export/command_files.h"
 #include "app/pipeline/material.h"
+#include "app/recipe/recipe_cost.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -92,6 +96,26 @@ void BakeJob::warn_of_strips(const StripCounts& counts) const {
     if (counts.left_out > 0)
         warn(fmt::format("{}: strips hold no triangle with a repeated corner; {} left out",
                          command_.out, counts.left_out));
+}
+
+/// The noises that the bake takes, those of all frames and of the document's further atlases; of
+/// recipes that share one, those of the dearest. Points of --displace and --vertex-colors, which
+/// --max-triangles bounds, are not counted.
+double BakeJob::noises() const {
+    double sum = 0.0;
+    for (const BakeJob& other : others_) sum += other.noises();
+    if (command_.vertex_colors) return sum;
+    double levels = 1.0;
+    for (std::uint32_t l = 1; plan_.levels.rule.direct && l <= plan_.levels.count && l < 16; ++l)
+        levels += std::min(1.0, std::ldexp(double(plan_.levels.rule.samples), -2 * int(l)));
+    if (!sharing_.empty()) {
+        double most = 0.0;
+        for (const Recipe& recipe : sharing_)
+            most = std::max(most, noises_of_texture(recipe, has_normals()));
+        return sum + levels * most;
+    }
+    for (const Recipe& recipe : *recipes_) sum += levels * noises_of_texture(recipe, has_normals());
+    return sum;
 }
 
 /// Throws Error(usage) where --displace cannot be had with what else is asked for.

@@ -173,11 +173,11 @@ void add_document(CLI::App& verb, BakeCommand& command) {
 /// Whether no output depends on the option, or it is part of the recipe, or names the mesh or the
 /// output.
 bool counts_elsewhere(const std::string& name) {
-    static constexpr std::array<std::string_view, 20> names = {
-        "help",     "mesh",          "output",        "recipe",    "set",
-        "filter",   "precision",     "time",          "threads",   "no-skip",
-        "cache",    "force",         "json",          "report",    "quiet",
-        "progress", "allow-outside", "max-triangles", "max-image", "max-memory"};
+    static constexpr std::array<std::string_view, 21> names = {
+        "help",      "mesh",       "output",    "recipe",   "set",           "filter",
+        "precision", "time",       "threads",   "no-skip",  "cache",         "force",
+        "json",      "report",     "quiet",     "progress", "allow-outside", "max-triangles",
+        "max-image", "max-noises", "max-memory"};
     return std::ranges::find(names, name) != names.end() ||
            std::ranges::any_of(parameters(), [&](const RecipeParameter& parameter) {
                return parameter.use.option.ends_with("--" + name);

@@ -31,15 +31,16 @@ std::vector<Image<Pixel>> shared_pictures(Pipeline& pipeline, std::span<const Re
                                           const std::vector<MaterialPicture>& wanted,
                                           Packing packing, bool rough_levels);
 
-/// Gives the pictures of shared_pictures() to `take` in bands of `rows` rows from the top down,
-/// those of several recipes in one band. Throws Error(runtime) where the pipeline is stopped.
+/// Gives the pictures of shared_pictures() to `take` in bands of `rows` rows from the top down.
+/// Masks of all recipes are in memory together. Throws Error(runtime) where the pipeline is
+/// stopped.
 template <class Pixel>
 void shared_pictures_in_bands(Pipeline& pipeline, std::span<const Recipe> recipes,
                               const std::vector<MaterialPicture>& wanted, Packing packing,
                               bool rough_levels, std::size_t rows, const TakePictures<Pixel>& take);
 
-/// Gives the normal map of shared_normals() in floats to `take` in bands of `rows` rows, that of
-/// several recipes in one band.
+/// Gives the normal map of shared_normals() in floats to `take` in bands of `rows` rows; that of
+/// several recipes is whole in memory.
 void shared_normals_in_bands(Pipeline& pipeline, std::span<const Recipe> recipes,
                              double crease_degrees, bool tangent_space, std::size_t rows,
                              const TakeNormals& take);

@@ -1,9 +1,11 @@
 #include "app/main/render_frames.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,10 +18,12 @@
 #include "app/image/sheet.h"
 #include "app/measure/report.h"
 #include "app/options/idle_options.h"
+#include "app/options/input_limits.h"
 #include "app/options/metres.h"
 #include "app/pipeline/material.h"
 #include "app/recipe/lattice_check.h"
 #include "app/recipe/presets.h"
+#include "app/recipe/recipe_cost.h"
 #include "app/scene/scene.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
@@ -202,13 +206,16 @@ RenderedFrames lazy_frames(const RenderCommand& command, CommandFiles& files) {
                                                 lazy_options(command)});
     RenderedFrames result{
         [lazy](std::size_t frame, std::size_t cell) { return lazy->draw(frame, cell); }};
+    double noises = 0.0;
     for (std::size_t i = 0; i < command.cells(); ++i)
         in_cell(command, i, [&] {
             const DirectOptions cell = command.cell(i);
             std::vector<Recipe> recipes = lazy_recipes(command, cell, lazy->pipeline.mesh());
             files.read(files_of_recipe(cell.recipe.recipe, recipes.front()));
+            for (const Recipe& recipe : recipes) noises += noises_of_texture(recipe, true);
             lazy->cells.push_back(std::move(recipes));
         });
+    check_noises(command.out, noises, options.recipe);
     if (!options.pose.empty()) {
         lazy->pose = options.meshes.pose(options.scene, options.pose);
         lazy->options.pose = &*lazy->pose;
@@ -244,15 +251,33 @@ void read_recipes(const DirectOptions& options, const PictureRecipes& recipes,
             files.read(files_of_recipe(parse_plane(options.planes[k]).recipe, *recipe));
 }
 
+/// The noises of a cell's pictures: every sample shows the recipe that takes most of them.
+double noises_of_pictures(const DirectOptions& options, std::span<const PictureRecipes> frames) {
+    const PictureOptions picture = options.picture_options();
+    const double samples = double(picture.size.width) * double(picture.size.height) *
+                           std::pow(double(picture.supersample), 2);
+    double sum = 0.0;
+    for (const PictureRecipes& recipes : frames) {
+        double most = options.scene.empty() ? 0.0 : noises_per_point(recipes.main, true);
+        for (const std::optional<Recipe>& plane : recipes.planes)
+            most = std::max(most, noises_per_point(plane ? *plane : recipes.main, true));
+        sum += samples * most;
+    }
+    return sum;
+}
+
 RenderedFrames direct_frames(const RenderCommand& command, CommandFiles& files) {
     std::vector<std::vector<PictureRecipes>> cells;
     RenderedFrames result;
+    double noises = 0.0;
     for (std::size_t i = 0; i < command.cells(); ++i)
         in_cell(command, i, [&] {
             const DirectOptions cell = command.cell(i);
             cells.push_back(picture_recipes(cell, command.animation));
             read_recipes(cell, cells.back().front(), files);
+            noises += noises_of_pictures(cell, cells.back());
         });
+    check_noises(command.out, noises, command.options.recipe);
     const auto direct = std::make_shared<DirectFrames>(
         DirectFrames{DirectPicture(command.options), command.options.picture_options(),
                      command.frame_views(), std::move(cells)});

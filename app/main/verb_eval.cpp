@@ -20,6 +20,7 @@
 #include "app/options/input_limits.h"
 #include "app/options/metres.h"
 #include "app/recipe/channel_texture.h"
+#include "app/recipe/recipe_cost.h"
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
 #include "procedural/graph/masks.h"
@@ -172,6 +173,10 @@ void run_eval(const EvalCommand& command, bool recipe_given) {
                                 : asked ? parse_precision(*asked)
                                         : Precision{};
     const PointFile file = read_points(command.points);
+    if (recipe)
+        check_noises(command.points,
+                     2.0 * double(file.points.size()) * noises_per_point(*recipe, false),
+                     command.recipe);
     const std::vector<PointResult> results =
         recipe ? evaluate_points(*recipe, file, mesh ? &*mesh : nullptr)
                : evaluate_points(command.noise, file, precision);

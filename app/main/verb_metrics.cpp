@@ -17,6 +17,7 @@
 #include "app/options/metres.h"
 #include "app/pipeline/tasks.h"
 #include "app/recipe/parameters.h"
+#include "app/recipe/recipe_cost.h"
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
 
@@ -132,6 +133,8 @@ void run_metrics(const MetricsCommand& command) {
     Recipe recipe = options.load();
     check_recipe(command, options, recipe);
     check_square(recipe.atlas);
+    if (command.texture == "recipe")
+        check_noises(command.mesh, noises_of_texture(recipe, false), options);
     Mesh mesh = load_measured(command);
     set_metres({&recipe, 1}, options, command.meshes.frame, mesh);
     const AtlasesAsked asked = atlases_asked(command, recipe, mesh);

@@ -48,6 +48,7 @@ struct RecipeOptions {
     /// The images read so far; copies of the options, one per frame, share them.
     std::shared_ptr<RecipeImages> images =
         std::make_shared<RecipeImages>(ImageLimits{.named = NamedFiles::below});
+    double most_noises = 1e13;  ///< --max-noises (app/options/input_limits.h)
 
     void add_recipe(CLI::App& verb);
     /// Adds --set and --time alone, for verbs that take the recipe as an argument.

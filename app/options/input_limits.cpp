@@ -17,6 +17,9 @@ namespace {
 /// With less, Embree waits for ever for memory that it is not given.
 constexpr std::uint64_t least_memory = std::uint64_t(256) << 20U;
 
+/// Noises that one core evaluates in an hour: 150 million a second (docs/reference/limits.md).
+constexpr double noises_an_hour = 150e6 * 3600.0;
+
 /// Has the system refuse this process more memory than `bytes`, whoever asks for it.
 void limit_memory(std::uint64_t bytes) {
     if (bytes < least_memory)
@@ -49,6 +52,11 @@ void add_input_limits(CLI::App& verb, MeshOptions& meshes, RecipeOptions& recipe
             "than twice its square together")
         ->check(CLI::Range(1, 65536))
         ->default_str(std::to_string(ImageLimits{}.side));
+    verb.add_option("--max-noises", recipe.most_noises,
+                    "Refuse what takes more noises: texels times samples times noises of the "
+                    "recipe, all frames together")
+        ->check(in_range(1.0, 1e30))
+        ->default_str(fmt::format("{:.0e}", recipe.most_noises));
     verb.add_option_function<std::string>(
         "--max-memory",
         [](const std::string& text) { limit_memory(memory_size("--max-memory", text)); },
@@ -61,6 +69,16 @@ void copy_input_limits(const MeshOptions& from, const RecipeOptions& recipe_from
     to.read.named = from.read.named;
     to.read.most_triangles = from.read.most_triangles;
     recipe_to.images->limits = recipe_from.images->limits;
+    recipe_to.most_noises = recipe_from.most_noises;
+}
+
+void check_noises(const std::string& what, double noises, const RecipeOptions& recipe) {
+    if (noises <= recipe.most_noises) return;
+    throw Error(
+        ExitCode::unsupported,
+        fmt::format("{}: {:.2g} noises, some {:.2g} hours of one core, are more than {:.2g} "
+                    "(--max-noises); ask for fewer texels, samples or frames, or raise it",
+                    what, noises, noises / noises_an_hour, recipe.most_noises));
 }
 
 std::uint64_t memory_size(const std::string& option, const std::string& text) {

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/paint/texture.h"
+#include "app/pipeline/picture_bands.h"
 #include "app/pipeline/stages.h"
 #include "app/pipeline/tasks.h"
 
@@ -150,24 +151,15 @@ void TextureStage::run_pictures_in_bands(StageContext& context, const SolidAtlas
                                          const Recipe& recipe, const MaskSource& masks,
                                          const std::vector<PicturePlan>& plans, std::size_t rows,
                                          const TakePictures<Pixel>& take) const {
-    using Clock = std::chrono::steady_clock;
     const MaskImages read = masks(solid, recipe.texture, GraphOutput::planes, context.stop);
     if (context.stop.stop_requested()) return;
-    StageCost cost;
-    std::chrono::duration<double> taking{};
-    const auto start = Clock::now();
-    const auto take_rows = [&](std::size_t first, std::vector<Image<Pixel>> bands) {
-        const auto filled = Clock::now();
-        for (const Image<Pixel>& band : bands) cost.bytes += bytes_of(band);
-        take(first, std::move(bands));
-        taking += Clock::now() - filled;
-    };
-    synthesize_pictures_in_bands<Pixel>(
-        solid, recipe.texture, plans, texture_from_solid(recipe), recipe.filter,
-        context.way.threads, recipe.precision.kind.value_or(PrecisionKind::float32),
-        begun(context, cost, solid, context.stop), read, rows, take_rows);
-    const std::chrono::duration<double> all = Clock::now() - start;
-    context.records.add(Stage::synthesis, (all - taking).count(), cost);
+    PictureBands<Pixel> bands(recipe, read, plans);
+    context.begin(tasks::texture, texels_of(solid));
+    for (std::size_t first = 0; first < solid.size; first += rows) {
+        take(first, bands.rows(context, solid, {first, first + rows}));
+        if (context.stop.stop_requested()) return;
+    }
+    bands.record(context);
 }
 
 template <class Pixel>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -247,11 +246,11 @@ void fill_footprints(const SolidAtlas& solid, const Affine3& map, const GraphEva
 }  // namespace
 
 template <class Pixel>
-void synthesize_pictures_in_bands(const SolidAtlas& solid, const TextureGraph& graph,
-                                  const std::vector<PicturePlan>& plans, const Affine3& map,
-                                  const Filter& filter, int threads, PrecisionKind precision,
-                                  const Economy& economy, const MaskImages& masks, std::size_t rows,
-                                  const TakePictures<Pixel>& take) {
+std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const TextureGraph& graph,
+                                              const std::vector<PicturePlan>& plans,
+                                              const Affine3& map, const Filter& filter, int threads,
+                                              PrecisionKind precision, const Economy& economy,
+                                              const MaskImages& masks, const RowWindow& rows) {
     check_masks(graph, GraphOutput::planes, masks, solid.size);
     using Code = decltype(Pixel::r);
     const ComponentEncoder<Code> encode{};
@@ -260,71 +259,38 @@ void synthesize_pictures_in_bands(const SolidAtlas& solid, const TextureGraph& g
     values.program().run(1, scratch);  // at the origin
     std::vector<const double*> origin;
     for (const Register r : values.results()) origin.push_back(scratch[r]);
+    const RowWindow window = rows.of(solid.size);
+    std::vector<Image<Pixel>> pictures;
+    const PictureStore<Code> store(plans, encode, pictures, window.first);
+    for (const PicturePlan& plan : plans)
+        pictures.emplace_back(solid.size, window.count(),
+                              *PictureStore<Code>(store).encode(plan, origin, 1));
     const bool samples = filter.kind == FilterKind::none || filter.kind == FilterKind::supersample;
-    const bool points = samples && precision == PrecisionKind::float32;
-    std::optional<GraphEvaluator> evaluate;
-    if (!points) evaluate.emplace(graph, filter, precision, GraphOutput::planes);
-    for (std::size_t first = 0; first < solid.size; first += rows) {
-        const RowWindow window = RowWindow{first, first + rows}.of(solid.size);
-        std::vector<Image<Pixel>> pictures;
-        const PictureStore<Code> store(plans, encode, pictures, first);
-        for (const PicturePlan& plan : plans)
-            pictures.emplace_back(solid.size, window.count(),
-                                  *PictureStore<Code>(store).encode(plan, origin, 1));
-        if (points)
-            fill_points(solid, map, values, filter, threads, economy, window, masks, store);
-        else
-            fill_footprints(solid, map, *evaluate, origin.size(), filter, threads, economy, window,
-                            masks, store);
-        if (!points && economy.work)
-            *economy.work += work_of(solid, window, values.program(), filter);
-        take(first, std::move(pictures));
-        if (economy.stop.stop_requested()) return;
+    if (samples && precision == PrecisionKind::float32) {
+        fill_points(solid, map, values, filter, threads, economy, window, masks, store);
+        return pictures;
     }
-}
-
-template <class Pixel>
-std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const TextureGraph& graph,
-                                              const std::vector<PicturePlan>& plans,
-                                              const Affine3& map, const Filter& filter, int threads,
-                                              PrecisionKind precision, const Economy& economy,
-                                              const MaskImages& masks) {
-    std::vector<Image<Pixel>> whole;
-    synthesize_pictures_in_bands<Pixel>(
-        solid, graph, plans, map, filter, threads, precision, economy, masks, solid.size,
-        [&](std::size_t, std::vector<Image<Pixel>> rows) { whole = std::move(rows); });
-    return whole;
+    const GraphEvaluator evaluate(graph, filter, precision, GraphOutput::planes);
+    fill_footprints(solid, map, evaluate, origin.size(), filter, threads, economy, window, masks,
+                    store);
+    if (economy.work) *economy.work += work_of(solid, window, values.program(), filter);
+    return pictures;
 }
 
 template std::vector<Image<Rgba8>> synthesize_pictures(const SolidAtlas&, const TextureGraph&,
                                                        const std::vector<PicturePlan>&,
                                                        const Affine3&, const Filter&, int,
                                                        PrecisionKind, const Economy&,
-                                                       const MaskImages&);
+                                                       const MaskImages&, const RowWindow&);
 template std::vector<Image<Rgba16>> synthesize_pictures(const SolidAtlas&, const TextureGraph&,
                                                         const std::vector<PicturePlan>&,
                                                         const Affine3&, const Filter&, int,
                                                         PrecisionKind, const Economy&,
-                                                        const MaskImages&);
+                                                        const MaskImages&, const RowWindow&);
 template std::vector<Image<RgbaF>> synthesize_pictures(const SolidAtlas&, const TextureGraph&,
                                                        const std::vector<PicturePlan>&,
                                                        const Affine3&, const Filter&, int,
                                                        PrecisionKind, const Economy&,
-                                                       const MaskImages&);
-template void synthesize_pictures_in_bands(const SolidAtlas&, const TextureGraph&,
-                                           const std::vector<PicturePlan>&, const Affine3&,
-                                           const Filter&, int, PrecisionKind, const Economy&,
-                                           const MaskImages&, std::size_t,
-                                           const TakePictures<Rgba8>&);
-template void synthesize_pictures_in_bands(const SolidAtlas&, const TextureGraph&,
-                                           const std::vector<PicturePlan>&, const Affine3&,
-                                           const Filter&, int, PrecisionKind, const Economy&,
-                                           const MaskImages&, std::size_t,
-                                           const TakePictures<Rgba16>&);
-template void synthesize_pictures_in_bands(const SolidAtlas&, const TextureGraph&,
-                                           const std::vector<PicturePlan>&, const Affine3&,
-                                           const Filter&, int, PrecisionKind, const Economy&,
-                                           const MaskImages&, std::size_t,
-                                           const TakePictures<RgbaF>&);
+                                                       const MaskImages&, const RowWindow&);
 
 }  // namespace burl

@@ -13,6 +13,7 @@
 #include "procedural/batch/economy.h"
 #include "procedural/batch/filter.h"
 #include "procedural/batch/precision.h"
+#include "procedural/batch/row_window.h"
 #include "procedural/fill/mask_images.h"
 #include "procedural/graph/planes.h"
 
@@ -42,28 +43,17 @@ struct PicturePlan {
 /// are clamped to [0,1]. Texels outside every span show the planes at the origin.
 /// `texture_from_atlas` maps the SolidAtlas's space to the texture's; `threads` 0 means all, and no
 /// byte depends on it. `precision` is float32 or float64. `masks` has an image for each mask that
-/// the material reads, else Error(unsupported) is thrown.
+/// the material reads, else Error(unsupported) is thrown. The pictures have the rows `rows` alone,
+/// with the same bytes; they are not whole where `economy` is stopped.
 template <class Pixel>
-std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const TextureGraph& graph,
-                                              const std::vector<PicturePlan>& plans,
-                                              const Affine3& texture_from_atlas,
-                                              const Filter& filter, int threads,
-                                              PrecisionKind precision = PrecisionKind::float32,
-                                              const Economy& economy = {},
-                                              const MaskImages& masks = {});
+std::vector<Image<Pixel>> synthesize_pictures(
+    const SolidAtlas& solid, const TextureGraph& graph, const std::vector<PicturePlan>& plans,
+    const Affine3& texture_from_atlas, const Filter& filter, int threads,
+    PrecisionKind precision = PrecisionKind::float32, const Economy& economy = {},
+    const MaskImages& masks = {}, const RowWindow& rows = {});
 
 /// Takes the next rows of pictures, from row `first` on, an image per plan.
 template <class Pixel>
 using TakePictures = std::function<void(std::size_t first, std::vector<Image<Pixel>> rows)>;
-
-/// Gives the pictures of synthesize_pictures(), with the same bytes, to `take` in bands of `rows`
-/// rows from the top down; the last may have fewer, and none follows where `economy` is stopped.
-template <class Pixel>
-void synthesize_pictures_in_bands(const SolidAtlas& solid, const TextureGraph& graph,
-                                  const std::vector<PicturePlan>& plans,
-                                  const Affine3& texture_from_atlas, const Filter& filter,
-                                  int threads, PrecisionKind precision, const Economy& economy,
-                                  const MaskImages& masks, std::size_t rows,
-                                  const TakePictures<Pixel>& take);
 
 }  // namespace burl

@@ -6,7 +6,7 @@
 #include "app/base/stopwatch.h"
 #include "app/gl/device/objects.h"
 #include "procedural/glsl/functions.h"
-#include "procedural/glsl/noise_count.h"
+#include "procedural/graph/noise_count.h"
 
 namespace burl {
 
@@ -60,7 +60,7 @@ std::string GlGraphPass::problem(const TextureGraph& graph, const Filter& filter
     std::string why =
         nodes_filter(filter.kind) ? no_filtered_shader(graph, filter) : no_graph_shader(graph);
     if (!why.empty()) return why;
-    if (const std::size_t noises = shader_noises(graph, GraphOutput::planes);
+    if (const std::size_t noises = graph_noises(graph, GraphOutput::planes);
         noises > most_shader_noises)
         return fmt::format("its graph evaluates {} noises for a texel, and OpenGL is given {}",
                            noises, most_shader_noises);

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "app/gl/device/objects.h"
-#include "procedural/glsl/noise_count.h"
 #include "procedural/graph/masks.h"
+#include "procedural/graph/noise_count.h"
 #include "procedural/graph/planes.h"
 
 namespace burl {
@@ -239,7 +239,7 @@ std::string GlPictureMaker::problem(const Recipe& recipe) const {
 bool GlPictureMaker::makes_bumps(const Recipe& recipe) const {
     const bool filtered = recipe.filter.kind != FilterKind::none || recipe.filter.band_limit;
     return !recipe.bump.empty() && !filtered && no_height_shader(recipe.bump.input).empty() &&
-           shader_noises(recipe.bump.input, GraphOutput::color) <= most_shader_noises;
+           graph_noises(recipe.bump.input, GraphOutput::color) <= most_shader_noises;
 }
 
 void GlPictureMaker::set_frames(const FrameMaps& frames) {

@@ -148,6 +148,63 @@ class SharedPatches : public SharedHalves, public testing::Test {
     SharedPatches() : SharedHalves(AtlasKind::patch) {}
 };
 
+/// Recipes of different spaces, with paint and a mask of the shape.
+std::vector<Recipe> mixed_recipes(AtlasKind kind) {
+    std::vector<Recipe> mixed{recipe_of_side("oak", kind), recipe_of_side("brick-wall", kind)};
+    const Recipe worn = parse_recipe(
+        R"({"texture": {"node": "occlusion"}, "material": {"roughness": {"node": "curvature"}},
+            "bump": {"height": 0.01, "input": {"node": "occlusion"}}})",
+        "worn");
+    mixed[0].texture = worn.texture;
+    mixed[0].bump = worn.bump;
+    mixed[1].solid.space = SolidSpace::object;
+    mixed[1].paint.emplace_back().points = {Vec3d(-0.5, 0.0, 0.1), Vec3d(0.9, 0.1, 0.1)};
+    mixed[1].paint.back().radius = 0.3;
+    return mixed;
+}
+
+TEST_P(SharedPictures, BandsAreRowsOfTheWhole) {
+    for (const std::vector<Recipe>& some : {recipes, mixed_recipes(GetParam())}) {
+        const auto wanted = shared_material_pictures(some, Packing::gltf, true);
+        const auto whole = shared_pictures<RgbaF>(shared, some, wanted, Packing::gltf, true);
+        const auto normals = shared_normals<RgbF>(shared, some, 40.0, true);
+        std::size_t bands = 0, normal_bands = 0;
+        const auto same_rows = [](std::size_t first, const auto& rows, const auto& all) {
+            for (std::size_t y = 0; y < rows.height(); ++y)
+                ASSERT_TRUE(std::ranges::equal(rows.row(y), all.row(first + y))) << first + y;
+        };
+        shared_pictures_in_bands<RgbaF>(
+            shared, some, wanted, Packing::gltf, true, 48,
+            [&](std::size_t first, const std::vector<Image<RgbaF>>& rows) {
+                EXPECT_EQ(first, 48 * bands++);
+                ASSERT_EQ(rows.size(), whole.size());
+                for (std::size_t i = 0; i < rows.size(); ++i) same_rows(first, rows[i], whole[i]);
+            });
+        shared_normals_in_bands(shared, some, 40.0, true, 48,
+                                [&](std::size_t first, const Image<RgbF>& rows) {
+                                    EXPECT_EQ(first, 48 * normal_bands++);
+                                    same_rows(first, rows, normals);
+                                });
+        EXPECT_EQ(bands, 3u);
+        EXPECT_EQ(normal_bands, 3u);
+    }
+}
+
+TEST_P(SharedPictures, MixedSpacesPaintAndMasksAreThoseOfTheirRecipeAlone) {
+    const std::vector<Recipe> mixed = mixed_recipes(GetParam());
+    const auto wanted = shared_material_pictures(mixed, Packing::gltf, false);
+    const auto all = shared_pictures<Rgba8>(shared, mixed, wanted, Packing::gltf, false);
+    std::vector<Image<Rgba8>> alone;
+    for (const Recipe& recipe : mixed) {
+        shared.set_recipe(recipe);
+        const Image<Rgb8> color = shared.synthesize<Rgb8>();
+        alone.push_back(converted<Rgba8>(color, [](const Rgb8& p) {
+            return Rgba8{p.r, p.g, p.b, 255};
+        }));
+    }
+    expect_shares(all[0], alone);
+}
+
 TEST_F(SharedPatches, LevelsMixNoRecipesWhileTheyArePure) {
     std::vector<Recipe> plain = recipes;
     for (std::size_t i = 0; i < 2; ++i) {

@@ -1,4 +1,4 @@
-// --max-triangles, --max-image and --max-memory, from outside.
+// --max-triangles, --max-image, --max-noises and --max-memory, from outside.
 
 #include "app/image/image_io.h"
 #include "atlas/base/json.h"
@@ -53,9 +53,62 @@ TEST(Limits, MemoryIsBounded) {
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
 }
 
+TEST(Limits, NoisesAreCountedBeforeAnyWork) {
+    const Scratch scratch;
+    // 2.7e8 texels of 1024 samples of 16 octaves: days, which the test would not live to see
+    const std::string recipe = scratch.write(
+        "r.json",
+        R"({"burl": 1, "texture": {"node": "fbm", "octaves": 16}, "atlas": {"size": 16384},
+                      "filter": {"kind": "supersample", "samples": 1024}})");
+    const std::string bake = fmt::format("bake sample:torus -r '{}' --max-noises ", recipe);
+    expect_refused(scratch, bake + "1e12", 5, "hours of one core, are more than 1e+12");
+    expect_refused(scratch,
+                   fmt::format("bake sample:torus -r '{}' --set filter.samples=1024 "
+                               "--levels direct:64",
+                               recipe),
+                   5, "(--max-noises)");
+    expect_refused(scratch, "bake sample:torus -r moss -s 16 --max-noises 1000", 5, "noises");
+    expect_refused(scratch, "bake sample:torus -r marble -s 16 --max-noises 0", 1, "--max-noises");
+    const Outcome frames = run_burl(
+        scratch, fmt::format("bake sample:torus -r marble -s 16 --max-noises 10000 --force "
+                             "--animate solid.scale=1:2 --frames 9 -o '{}'",
+                             scratch / "f.png"));
+    EXPECT_EQ(frames.exit_code, 5) << frames.err;
+    const Outcome one = run_burl(
+        scratch, fmt::format("bake sample:torus -r marble -s 16 --max-noises 10000 -o '{}'",
+                             scratch / "f.png"));
+    EXPECT_EQ(one.exit_code, 0) << one.err;
+}
+
+TEST(Limits, NoisesOfOtherVerbsAreCounted) {
+    const Scratch scratch;
+    const std::string points = scratch.write("p.csv", "0,0,0\n1,0,0\n");
+    const std::string manifest = scratch.write(
+        "m.json", R"({"bakes": [{"mesh": "sample:cube", "recipe": "marble", "size": 16,
+                                 "output": "kept.png"}]})");
+    scratch.write("kept.png", "kept");
+    for (const std::string& verb :
+         {fmt::format("render sample:cube --direct -r marble --size 16x16 -o '{}'",
+                      scratch / "r.png"),
+          fmt::format("render sample:cube --lazy -r marble --size 16x16 -o '{}'",
+                      scratch / "r.png"),
+          std::string("metrics sample:cube -r marble --levels -s 16"),
+          fmt::format("eval marble --points '{}'", points), fmt::format("batch '{}'", manifest)}) {
+        const Outcome outcome = run_burl(scratch, verb + " --max-noises 9");
+        EXPECT_EQ(outcome.exit_code, 5) << verb << outcome.err;
+        EXPECT_NE(outcome.err.find("(--max-noises)"), std::string::npos) << outcome.err;
+    }
+    EXPECT_FALSE(fs::exists(scratch / "r.png"));
+    EXPECT_EQ(fs::file_size(scratch / "kept.png"), 4u);
+    EXPECT_EQ(run_burl(scratch, fmt::format("eval marble --points '{}' --max-noises 100", points))
+                  .exit_code,
+              0);
+}
+
 TEST(Limits, AManifestGivesItselfNone) {
     const Scratch scratch;
-    for (const char* key : {"allow-outside", "max-triangles", "max-image", "max-memory"}) {
+    for (const char* key :
+         {"allow-outside", "max-triangles", "max-image", "max-noises", "max-memory"}) {
         const Json bake{{"mesh", "sample:cube"}, {"output", "a.png"}, {key, true}};
         const std::string path =
             scratch.write("m.json", Json{{"bakes", Json::array({bake})}}.dump());

@@ -1,5 +1,5 @@
 // Graphs of more noises than OpenGL is given.
-#include "procedural/glsl/noise_count.h"
+#include "procedural/graph/noise_count.h"
 
 #include <algorithm>
 #include <string>
@@ -23,9 +23,9 @@ TEST(NoisesOfPresets, AreAFifthOfTheMost) {
     for (const EmbeddedFile& preset : embedded_recipes()) {
         const std::string name(preset.name.substr(0, preset.name.rfind('.')));
         const Recipe recipe = load_recipe(name);
-        std::size_t noises = shader_noises(recipe.texture, GraphOutput::planes);
+        std::size_t noises = graph_noises(recipe.texture, GraphOutput::planes);
         if (!recipe.bump.empty())
-            noises = std::max(noises, shader_noises(recipe.bump.input, GraphOutput::color));
+            noises = std::max(noises, graph_noises(recipe.bump.input, GraphOutput::color));
         EXPECT_LE(5 * noises, most_shader_noises) << name;
         most = std::max(most, noises);
     }

@@ -1,5 +1,5 @@
 // The noises of graphs' shaders, counted by hand.
-#include "procedural/glsl/noise_count.h"
+#include "procedural/graph/noise_count.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace burl {
 namespace {
 
 std::size_t noises(std::string_view json) {
-    return shader_noises(graph_of(json), GraphOutput::color);
+    return graph_noises(graph_of(json), GraphOutput::color);
 }
 
 TEST(NoiseCount, CountsOctaves) {
@@ -39,6 +39,14 @@ TEST(NoiseCount, CountsWhatSlopesAreOf) {
     EXPECT_EQ(noises(R"({"node": "slope", "direction": [1, 0, 0],
                          "input": {"node": "fbm", "octaves": 3}})"),
               3u);
+}
+
+TEST(NoiseCount, CostsCountOtherStepsByEights) {
+    const TextureGraph plain = graph_of(R"({"node": "coordinate"})");
+    EXPECT_EQ(graph_cost(plain, GraphOutput::color), 1.0);
+    const TextureGraph sum = graph_of(R"({"node": "fbm", "octaves": 5})");
+    EXPECT_GE(graph_cost(sum, GraphOutput::color), 5.0);
+    EXPECT_LE(graph_cost(sum, GraphOutput::color), 6.0);
 }
 
 }  // namespace
