@@ -112,6 +112,10 @@ Image<Pixel> decode_webp(std::span<const std::uint8_t> bytes, const ::WebPBitstr
     ::WebPBitstreamFeatures has;
     if (::WebPGetFeatures(bytes.data(), bytes.size(), &has) != VP8_STATUS_OK)
         throw damaged(origin, PictureType::webp, "it has no head");
+    if (has.format == 0 && !has.has_animation)
+        throw damaged(origin, PictureType::webp, "it ends before its pixels (truncated)");
+    if (std::uint64_t(has.width) * std::uint64_t(has.height) > most_read_pixels)
+        throw damaged(origin, PictureType::webp, "the image has more than 2^28 pixels");
     return has;
 }
 
