@@ -167,10 +167,12 @@ void encode_tiles(Imf::OStream& stream, const LayerSize& size, std::span<const E
     Imf::TiledOutputFile file(stream, header);
     std::size_t line = 0;
     const auto images = source([&](std::span<const FloatImage> rows) {
-        if (line % exr_tile_side != 0) throw misuse(layers[0], "comes in rows of half a tile");
+        const std::size_t end = line + rows_of(rows[0]).height;
+        if (end % exr_tile_side != 0 && end != size.height)
+            throw misuse(layers[0], "comes in rows of half a tile");
         write_tiles(file, 0, int(line / exr_tile_side), {layers, rows, line, depth},
                     zero == LevelZero::counted ? meter : nullptr);
-        line += rows_of(rows[0]).height;
+        line = end;
     });
     if (images.size() != layers.size()) throw misuse(layers[0], "has other levels than layers");
     for (const std::vector<FloatImage>& levels : images)
