@@ -46,7 +46,7 @@ TEST(ForwardLine, EntersCellsWhereTheirPlanesAre) {
     EXPECT_EQ(wood, (std::vector<std::size_t>{0, 26, 52, 77, 103, 128, 154, 180, 205, 231}));
 }
 
-/// What the paper says: "At the first pixel of the each cell, there is no difference at all.
+/// The paper says: "At the first pixel of the each cell, there is no difference at all.
 /// However, as scan line proceed the cell, the difference is getting bigger."
 TEST(ForwardLine, DiffersNotAtFirstAndThenMoreAndMore) {
     for (const std::size_t number : {0u, 3u}) {
