@@ -44,7 +44,7 @@ void put_rows(Image<Pixel> rows, std::size_t first, std::size_t size, Image<Pixe
     if (first == 0) image = Image<Pixel>::unset(size, size);
     std::ranges::copy(rows.pixels(), &image(0, first));
 }
-/// The same for an image of one of several kinds of pixels, which the first rows decide.
+/// put_rows() for an image of one of several kinds of pixels, which the first rows decide.
 template <class... Images>
 void put_rows(std::variant<Images...> rows, std::size_t first, std::size_t size,
               std::variant<Images...>& image) {

@@ -114,30 +114,30 @@ std::string GlslFunctions::shaped(OctaveShape shape, const std::string& value) {
     return fmt::format("{}({})", name, value);
 }
 
-std::string GlslFunctions::array(const char* type, const std::vector<std::string>& values) {
-    const std::string list =
-        fmt::format("{0}[{1}]({2})", type, values.size(), fmt::join(values, ", "));
+template <class Define>
+std::string GlslFunctions::table(const std::string& key, const Define& define) {
     for (const auto& [text, name] : arrays_)
-        if (text == list) return name;
+        if (text == key) return name;
     std::string name = fmt::format("table{}", arrays_.size());
-    add(fmt::format("const {} {}[{}] = {};\n\n", type, name, values.size(), list));
-    arrays_.emplace_back(list, name);
+    add(define(name));
+    arrays_.emplace_back(key, name);
     return name;
 }
 
 std::string GlslFunctions::of_octave(const char* type, const std::vector<std::string>& values) {
-    return values.size() > 1 ? array(type, values) + "[k]" : glsl_operand(values[0]);
+    if (values.size() == 1) return glsl_operand(values[0]);
+    const std::string list =
+        fmt::format("{0}[{1}]({2})", type, values.size(), fmt::join(values, ", "));
+    const auto define = [&](const std::string& name) {
+        return fmt::format("const {} {}[{}] = {};\n\n", type, name, values.size(), list);
+    };
+    return table(list, define) + "[k]";
 }
 
 std::string GlslFunctions::real_of_octave(const std::vector<double>& values) {
     if (values.size() == 1) return glsl_operand(number(values[0]));
-    const std::string list = fmt::format("{}", fmt::join(values, ", "));
-    for (const auto& [text, name] : arrays_)
-        if (text == list) return name + "(k)";
-    const std::string name = fmt::format("table{}", arrays_.size());
-    add(glsl_array(name, values, 1, real_));
-    arrays_.emplace_back(list, name);
-    return name + "(k)";
+    const auto define = [&](const std::string& name) { return glsl_array(name, values, 1, real_); };
+    return table(fmt::format("{}", fmt::join(values, ", ")), define) + "(k)";
 }
 
 std::string GlslFunctions::seed_of_octave(std::span<const SumOctave> octaves) {

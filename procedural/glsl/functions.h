@@ -58,7 +58,9 @@ class GlslFunctions {
         bool sloped = false;
         std::string name;
     };
-    std::string array(const char* type, const std::vector<std::string>& values);
+    /// The name of a constant table, whose text define(name) is added where no other has its key.
+    template <class Define>
+    std::string table(const std::string& key, const Define& define);
 
     GlslReal real_;
     std::string text_;

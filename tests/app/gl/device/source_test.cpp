@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "app/gl/device/target.h"
+#include "procedural/glsl/text.h"
 #include "tests/app/gl/device/fixture.h"
 
 namespace burl {
@@ -115,6 +116,38 @@ TEST_F(ShaderSourceTest, RealIsDoubleWhereAskedFor) {
     }
     EXPECT_EQ(third_plus(context->gl(), false, x),
               std::bit_cast<std::uint32_t>(1.0f / 3.0f + float(x)));
+}
+
+/// The sum of a product of items and an element of a table, all indexed by a variable. (NVIDIA's
+/// compiler keeps such arrays of float64 in float32.)
+TEST_F(ShaderSourceTest, ArraysThatAVariableIndexesKeepFloat64) {
+    const GladGLContext& gl = context->gl();
+    if (!has_float64(gl)) GTEST_SKIP() << "no float64";
+    const double x = 1.0 / 3.0, numbers[] = {0.1, 2.0 / 3.0, 3.141592653589793};
+    ShaderSource fragment;
+    fragment.define_real(true).add("numbers/real.glsl");
+    fragment.add("table", glsl_array("table", numbers, 1, GlslReal::float64));
+    fragment.add(
+        "main",
+        "uniform real x; uniform int first; out uvec2 bits;\n"
+        "void main() {\n"
+        "    real_item a[3] = real_item[3](to_item(-x), to_item(x), to_item(x + x));\n"
+        "    real4_item b[2] = real4_item[2](to_item(real4(x)), to_item(real4(x / 7.0)));\n"
+        "    exact real product = from_item(a[first]) * from_item(b[first]).w;\n"
+        "    exact real sum = product + table(first + 1);\n"
+        "    bits = unpackDouble2x32(sum);\n"
+        "}");
+    const GlProgram program = make_full_screen_program(gl, "items", fragment);
+    const GlTarget target(gl, {1, 1}, {GL_RG32UI});
+    target.bind();
+    program.use();
+    program.set("x", x);
+    program.set("first", 1);
+    GlFullScreen(gl).draw();
+    const auto words = target.read<std::uint32_t>();
+    const double product = x * (x / 7.0);
+    EXPECT_EQ(words[0] | std::uint64_t(words[1]) << 32,
+              std::bit_cast<std::uint64_t>(product + numbers[2]));
 }
 
 }  // namespace
