@@ -9,10 +9,29 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <mutex>
 #include <new>
 
 #include <metis.h>
+
+extern "C" {
+
+/// METIS's own return to the innermost of its functions that a user called, with `signal` as the
+/// cause (5.1, its error.c); null where a METIS has no such function.
+[[gnu::weak]] void gk_sigthrow(int signal);
+
+/// The function that METIS calls where it cannot go on, in place of its own, which prints a line
+/// and raises `signal`: a program that blocks or handles SIGTERM and SIGABRT would have METIS go on
+/// with what it lacks. It ends the program where there is no way back.
+[[gnu::weak, gnu::visibility("default"), noreturn]] void gk_errexit(int signal, char* format, ...);
+
+void gk_errexit(int signal, char*, ...) {
+    if (gk_sigthrow) gk_sigthrow(signal);
+    std::abort();
+}
+
+}  // extern "C"
 
 namespace burl {
 namespace {
@@ -64,7 +83,7 @@ class MutedStdout {
 
 /// The part of each node by `partitioner`, one of METIS's, which all take the same arguments; part
 /// 0 for all nodes where there is nothing to divide or METIS fails. Throws std::bad_alloc where
-/// METIS runs out of memory, after lines of its own on stderr.
+/// METIS runs out of memory.
 std::vector<std::uint32_t> parts_of(const DualGraph& graph, std::uint32_t parts, int seed,
                                     decltype(&METIS_PartGraphKway) partitioner) {
     std::vector<std::uint32_t> result(graph.nodes(), 0);
