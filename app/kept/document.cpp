@@ -75,8 +75,10 @@ std::vector<std::uint8_t> aligned(const Elements& elements, std::size_t stride) 
 }  // namespace
 
 bool erase_extension(Json& object, const char* name) {
-    if (!object.contains("extensions") || object["extensions"].erase(name) == 0) return false;
-    if (object["extensions"].empty()) object.erase("extensions");
+    const auto extensions = object.find("extensions");
+    if (extensions == object.end() || !extensions->is_object()) return false;
+    if (extensions->erase(name) == 0) return false;
+    if (extensions->empty()) object.erase(extensions);
     return true;
 }
 

@@ -1,6 +1,7 @@
 #include "atlas/outline/divide.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -30,6 +31,9 @@ constexpr std::size_t few_triangles = 16;
 /// Longest side of the box round triangles of a net that do not lie in a plane, likewise.
 constexpr double longest_net = 0.75;
 
+/// Farthest that a chart's places may lie beyond its outline, in sides of the box round that.
+constexpr double most_beyond = 1e-6;
+
 /// The border with all others inside: the box round it is the largest, though a hole's may be
 /// longer. Of equal boxes that of more area counts, and of those the longest.
 std::vector<Vec2d> outer_border(const Patch& patch, std::span<const Vec2d> places) {
@@ -51,6 +55,20 @@ std::vector<Vec2d> outer_border(const Patch& patch, std::span<const Vec2d> place
         outer = std::move(border);
     }
     return outer;
+}
+
+/// Whether no place lies beyond the box round the outline, but for `most_beyond` of its longer
+/// side. Triangles without area may reach out of a map that is one to one.
+bool outline_holds(const FlatChart& chart) {
+    const auto box = [](std::span<const Vec2d> points) {
+        std::array<Vec2d, 2> ends{points[0], points[0]};
+        for (const Vec2d& p : points) ends = {glm::min(ends[0], p), glm::max(ends[1], p)};
+        return ends;
+    };
+    const auto [low, high] = box(chart.outline);
+    const auto [least, most] = box(chart.places);
+    const Vec2d beyond = glm::max(low - least, most - high);
+    return std::max(beyond.x, beyond.y) <= most_beyond * std::max(high.x - low.x, high.y - low.y);
 }
 
 /// The chart of a patch with these places; triangles that close holes are left out.
@@ -180,21 +198,22 @@ class Division {
         return {};
     }
 
-    /// The chart of a connected patch; nothing where it would be distorted too much, overlap, or be
-    /// too long.
+    /// The chart of a connected patch; nothing where it would be distorted too much, overlap, reach
+    /// out of its outline, or be too long.
     std::optional<FlatChart> flatten(Patch patch) const {
         if (const auto planar = map_planar(patch))
-            return unless_too_long(chart_of(patch, in_plane(*planar)));
+            return if_sound(chart_of(patch, in_plane(*planar)));
         if (!cut_to_disk(patch, connectivity_)) return std::nullopt;
         const double most = most_energy(area_of(patch));
         auto map = map_freely(patch, {.wanted = most});
         if (!map || !(map->energy <= most) || overlaps_itself(patch, map->places) ||
             covers_twice(patch, map->places, most_overlap))
             return std::nullopt;
-        return unless_too_long(chart_of(patch, std::move(map->places)));
+        return if_sound(chart_of(patch, std::move(map->places)));
     }
 
-    std::optional<FlatChart> unless_too_long(FlatChart chart) const {
+    std::optional<FlatChart> if_sound(FlatChart chart) const {
+        if (!outline_holds(chart)) return std::nullopt;
         if (chart.faces.size() > few_triangles &&
             least_rectangle(convex_hull(chart.outline)).longer() > longest_chart * std::sqrt(area_))
             return std::nullopt;

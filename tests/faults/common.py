@@ -5,6 +5,8 @@ sys.dont_write_bytecode = True
 TIME_LIMIT = 120  # seconds after which a run has hung
 EVERY = "BURL_ALL_FAULTS" in os.environ  # every number, not a few of them
 RECORD = ".burl.json"
+# glibc 2.36: dlopen(), which oneTBB calls once, reads through a null pointer where it can keep no message (dlerror.c:151).
+GLIBC_FALLS = 1
 
 
 class Outcome:
@@ -58,8 +60,9 @@ def is_whole_record(data):
 
 
 def sentence_problem(err):
-    """What is wrong about the messages of a run that failed: one line of burl's must say why, after warnings at most."""
-    lines = err.splitlines()
+    """What is wrong about the messages of a run that failed: one line of burl's must say why, after warnings at most. Beside it
+    METIS, whose thread may be another, tells how much memory it has."""
+    lines = [line for line in err.splitlines() if not re.fullmatch(r" +(Current|Maximum) memory used: .*", line)]
     if not lines or not lines[-1].startswith("burl: ") or len(lines[-1]) < 20: return f"no sentence: {err!r}"
     if sum(line.startswith("burl: ") for line in lines) != 1: return f"several sentences: {err!r}"
     return ""

@@ -4,12 +4,10 @@ Every allocation of a small bake is the last one that succeeds, or fails alone; 
 bakes, and allocations of bakes on four threads. Unless BURL_ALL_FAULTS is set, about 150 of the first, and fewer formats."""
 import os, signal, sys
 
-from common import EVERY, Burl, Outcome, Report, Stage, contents, problem
+from common import EVERY, GLIBC_FALLS, Burl, Outcome, Report, Stage, contents, problem
 
 SMALL = ["sample:cube", "--size", "16", "--threads", "1"]
 LARGE = ["sample:teapot", "--size", "128", "--threads", "1"]
-# glibc 2.36: dlopen(), which oneTBB calls once, reads through a null pointer where it can keep no message (dlerror.c:151).
-GLIBC_FALLS = 1
 FORMATS = ["glb", "png", "webp", "jpg", "ktx2", "exr", "obj", "gltf", "ply", "mtlx", "stl"]
 
 
