@@ -61,6 +61,11 @@ Value NodeCall::varies(std::string_view name) const {
     return refused(fmt::format("{} with a \"{}\" that varies is not read", node.tag, name));
 }
 
+Value NodeCall::made(NodeRef ref) const {
+    if (!is_number(type)) return refused("it makes one number, its type has several");
+    return values().number(ref, type);
+}
+
 NodeFunction function_of(std::string_view category) {
     for (const auto rows :
          {math_rows(), vector_rows(), channel_rows(), color_rows(), blend_rows(), noise_rows(),

@@ -42,7 +42,8 @@ struct NodeCall {
     Value refused(const std::string& reason) const;
     /// Refuses the node as refused() does, because of an input that must be constant.
     Value varies(std::string_view name) const;
-    Value made(NodeRef ref) const { return values().number(ref, type); }
+    /// The value of a node that makes a number; refused where its type has more components.
+    Value made(NodeRef ref) const;
 };
 
 /// A vector2 turned clockwise by an angle in radians.

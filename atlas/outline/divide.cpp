@@ -13,6 +13,7 @@
 #include "atlas/chart/covering.h"
 #include "atlas/chart/least_rectangle.h"
 #include "atlas/chart/planar_map.h"
+#include "atlas/mesh/dual_graph.h"
 #include "atlas/outline/unfold.h"
 #include "atlas/patch/cut.h"
 
@@ -114,23 +115,58 @@ Regions shells_of(const Mesh& mesh, const Connectivity& connectivity) {
     return shells;
 }
 
+/// The triangles that are lines: lower than what rounding to the unit frame moves points by.
+std::vector<bool> lines_of(const Mesh& mesh) {
+    std::vector<bool> lines(mesh.triangles.size());
+    for (std::size_t t = 0; t < lines.size(); ++t) {
+        double longest = 0.0;
+        for (std::size_t k = 0; k < 3; ++k)
+            longest = std::max(longest, edge_length(mesh, std::uint32_t(t), k));
+        lines[t] = 2.0 * triangle_area(mesh, t) <= most_overlap * longest;
+    }
+    return lines;
+}
+
+/// The triangles that are lines with a point of a triangle with area, whose place is theirs.
+std::vector<bool> lines_on_others(const Mesh& mesh) {
+    std::vector<bool> lines = lines_of(mesh);
+    if (std::ranges::find(lines, true) == lines.end()) return {};
+    std::vector<bool> has_area(mesh.positions.size(), false);
+    for (std::size_t t = 0; t < lines.size(); ++t)
+        for (const std::uint32_t p : mesh.triangles[t])
+            if (!lines[t]) has_area[p] = true;
+    for (std::size_t t = 0; t < lines.size(); ++t)
+        lines[t] = lines[t] && std::ranges::any_of(mesh.triangles[t],
+                                                   [&](std::uint32_t p) { return has_area[p]; });
+    return lines;
+}
+
 /// Flattens regions, halving those that distort too much.
 class Division {
   public:
     Division(const Mesh& mesh, const Connectivity& connectivity, double area,
              const DivisionOptions& options)
-        : mesh_(mesh), connectivity_(connectivity), area_(area), options_(options), local_([&mesh] {
-              return std::vector<std::int32_t>(mesh.triangles.size(), -1);
-          }) {}
+        : mesh_(mesh),
+          connectivity_(connectivity),
+          area_(area),
+          options_(options),
+          lines_(lines_on_others(mesh)),
+          local_([&mesh] { return std::vector<std::int32_t>(mesh.triangles.size(), -1); }) {}
 
     /// Flattens shells that need no division, and then the regions in all others.
     FlatCharts flatten_shells(const Regions& shells) {
         std::vector<std::vector<FlatChart>> by_shell(shells.size());
         tbb::parallel_for(std::size_t(0), shells.size(), [&](std::size_t i) {
-            if (!options_.stop.stop_requested()) by_shell[i] = flatten_shell(shells[i]);
+            if (!options_.stop.stop_requested() && !are_lines(shells[i]))
+                by_shell[i] = flatten_shell(shells[i]);
         });
         FlatCharts result;
         std::vector<bool> done(mesh_.triangles.size(), false);
+        for (const auto& shell : shells) {
+            if (!are_lines(shell)) continue;
+            std::ranges::copy(shell, std::back_inserter(result.unmapped));
+            done[shell.front()] = true;
+        }
         for (std::vector<FlatChart>& charts : by_shell)
             for (FlatChart& chart : charts) {
                 for (const std::uint32_t face : chart.faces) done[face] = true;
@@ -142,11 +178,17 @@ class Division {
         std::erase_if(regions, [&](const auto& region) { return done[region.front()]; });
         FlatCharts others = flatten_all(regions);
         std::ranges::move(others.charts, std::back_inserter(result.charts));
-        result.unmapped = std::move(others.unmapped);
+        std::ranges::copy(others.unmapped, std::back_inserter(result.unmapped));
         return result;
     }
 
   private:
+    /// Whether all these triangles are lines that take their places from others.
+    bool are_lines(const std::vector<std::uint32_t>& faces) const {
+        return !lines_.empty() &&
+               std::ranges::all_of(faces, [&](std::uint32_t t) { return lines_[t]; });
+    }
+
     FlatCharts flatten_all(const Regions& regions) {
         std::vector<FlatCharts> by_region(regions.size());
         tbb::parallel_for(std::size_t(0), regions.size(),
@@ -161,7 +203,7 @@ class Division {
 
     FlatCharts flatten(const std::vector<std::uint32_t>& faces) {
         FlatCharts result;
-        if (options_.stop.stop_requested()) {
+        if (options_.stop.stop_requested() || are_lines(faces)) {
             result.unmapped = faces;
             return result;
         }
@@ -229,6 +271,7 @@ class Division {
     const Connectivity& connectivity_;
     double area_;
     DivisionOptions options_;
+    std::vector<bool> lines_;  ///< lines_on_others(); empty where there are none
     tbb::enumerable_thread_specific<std::vector<std::int32_t>> local_;
 };
 

@@ -4,6 +4,7 @@
 #include "atlas/outline/layout.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -41,18 +42,67 @@ void place_charts(const FlatCharts& flat, const Packing& packing, Atlas& atlas) 
     atlas.chart_count = std::uint32_t(flat.charts.size());
 }
 
-/// Places triangles without a map at their first point's place, in charts of their own.
+/// Where charts put the edges and points of triangles that have no map.
+class PlacesOfOthers {
+  public:
+    PlacesOfOthers(const Mesh& mesh, const FlatCharts& flat, const Atlas& atlas) : mesh_(mesh) {
+        std::vector<bool> wanted(mesh.positions.size(), false);
+        for (const std::uint32_t t : flat.unmapped)
+            for (const std::uint32_t p : mesh.triangles[t]) wanted[p] = true;
+        for (const FlatChart& chart : flat.charts)
+            for (const std::uint32_t t : chart.faces)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const std::uint32_t p = mesh.triangles[t][k],
+                                        q = mesh.triangles[t][(k + 1) % 3];
+                    if (!wanted[p]) continue;
+                    const Vec2d &at_p = atlas.corners[t][k], &at_q = atlas.corners[t][(k + 1) % 3];
+                    points_.emplace(p, at_p);
+                    if (wanted[q])
+                        edges_.emplace(key(p, q), p < q ? Ends{at_p, at_q} : Ends{at_q, at_p});
+                }
+    }
+
+    /// Corners without area: an edge's two ends, where a chart has that edge, with the third corner
+    /// at the nearer one; or a single place, that of a point that a chart has.
+    std::array<Vec2d, 3> corners(const Triangle& triangle) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t p = triangle[k], q = triangle[(k + 1) % 3],
+                                r = triangle[(k + 2) % 3];
+            const auto edge = edges_.find(key(p, q));
+            if (edge == edges_.end()) continue;
+            std::array<Vec2d, 3> result;
+            result[k] = edge->second[p < q ? 0 : 1];
+            result[(k + 1) % 3] = edge->second[p < q ? 1 : 0];
+            const auto& at = mesh_.positions;
+            const bool near_p = glm::distance(at[r], at[p]) <= glm::distance(at[r], at[q]);
+            result[(k + 2) % 3] = result[near_p ? k : (k + 1) % 3];
+            return result;
+        }
+        for (const std::uint32_t p : triangle)
+            if (const auto point = points_.find(p); point != points_.end())
+                return {point->second, point->second, point->second};
+        return {Vec2d(0.5), Vec2d(0.5), Vec2d(0.5)};
+    }
+
+  private:
+    using Ends = std::array<Vec2d, 2>;  ///< of the point with the lower number, of the other
+
+    static std::uint64_t key(std::uint32_t p, std::uint32_t q) {
+        return std::uint64_t{std::min(p, q)} << 32 | std::max(p, q);
+    }
+
+    const Mesh& mesh_;
+    std::unordered_map<std::uint32_t, Vec2d> points_;
+    std::unordered_map<std::uint64_t, Ends> edges_;
+};
+
+/// Places triangles without a map on edges or points of the charts, in charts of their own.
 void place_unmapped(const Mesh& mesh, const FlatCharts& flat, Atlas& atlas) {
     if (flat.unmapped.empty()) return;
-    std::unordered_map<std::uint32_t, Vec2d> place_of_point;
-    for (const FlatChart& chart : flat.charts)
-        for (const std::uint32_t t : chart.faces)
-            for (std::size_t k = 0; k < 3; ++k)
-                place_of_point.emplace(mesh.triangles[t][k], atlas.corners[t][k]);
+    const PlacesOfOthers places(mesh, flat, atlas);
     for (const std::uint32_t t : flat.unmapped) {
         atlas.charts[t] = atlas.chart_count++;
-        const auto place = place_of_point.find(mesh.triangles[t][0]);
-        atlas.corners[t].fill(place == place_of_point.end() ? Vec2d(0.5) : place->second);
+        atlas.corners[t] = places.corners(mesh.triangles[t]);
     }
 }
 

@@ -134,6 +134,36 @@ TEST(ChartAtlas, TrianglesWithoutAreaLieAtTheirNeighbours) {
     }
 }
 
+/// A box with a triangle on each of its edges' points and a point of their own in the middle.
+Mesh box_with_lines() {
+    Mesh mesh = made::box(4);
+    const std::size_t own = mesh.triangles.size();
+    for (std::size_t t = 0; t < own; ++t) {
+        const std::uint32_t p = mesh.triangles[t][0], q = mesh.triangles[t][1];
+        mesh.positions.push_back(0.25 * mesh.positions[p] + 0.75 * mesh.positions[q]);
+        mesh.triangles.push_back({p, std::uint32_t(mesh.positions.size() - 1), q});
+    }
+    return mesh;
+}
+
+TEST(ChartAtlas, LinesLieOnTheEdgesOfOthersAndTakeNoTexels) {
+    const Mesh plain = made::box(4), mesh = box_with_lines();
+    const Atlas expected = laid_out(plain, 256), atlas = laid_out(mesh, 256);
+    for (std::size_t t = 0; t < plain.triangles.size(); ++t)
+        EXPECT_EQ(atlas.corners[t], expected.corners[t]) << t;
+    for (std::size_t t = 0; t < plain.triangles.size(); ++t) {
+        const auto& line = atlas.corners[plain.triangles.size() + t];
+        EXPECT_EQ(line[1], line[2]) << t;  // its own point lies nearer to the edge's second end
+        bool found = false;
+        for (std::size_t o = 0; o < plain.triangles.size(); ++o)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto &a = atlas.corners[o][k], &b = atlas.corners[o][(k + 1) % 3];
+                found = found || (a == line[0] && b == line[2]) || (b == line[0] && a == line[2]);
+            }
+        EXPECT_TRUE(found) << t;
+    }
+}
+
 TEST(ChartAtlas, LevelsUpToACellAreNotMixed) {
     const Mesh mesh = made::ball(4);
     const MeshAtlas atlas = build_atlas(mesh, build_connectivity(mesh), charts_of(1024));
