@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""The editor when its memory ends: editor.py BURL LIBRARY FOLDER
+"""The editor when its memory ends, and when a signal does: editor.py BURL LIBRARY FOLDER
 A script saves a recipe and exports a .glb over old files, without a window; allocations fail, one alone or with all after it. The
 editor goes on, or ends by the sentence and exit code 4; each file is old or new. Allocations that Mesa and LLVM make themselves are
-spared: they do not look at what they get. Unless BURL_ALL_FAULTS is set, 8 of all and 4 of 64 KiB and more."""
-import json, pathlib, shutil, sys
+spared: they do not look at what they get. Signals come at calls that touch files: no temporary file stays. Unless BURL_ALL_FAULTS is
+set, 8 of all and 4 of 64 KiB and more, and 6 signals."""
+import json, pathlib, shutil, signal, sys
 
-from common import EVERY, RECORD, Burl, Report, contents, is_whole_record
+from common import EVERY, RECORD, Burl, Outcome, Report, contents, is_whole_record
 
 SPARED = "OSMesa,LLVM,glapi,libc.so"
 SENTENCE = "burl-edit: out of memory; try a smaller mesh or texture\n"
@@ -52,6 +53,13 @@ class Editor(Burl):
             if data not in (self.old.get(name), self.new.get(name)): return f"{name} is neither old nor new"
         return "" if set(self.old) <= set(found) else f"lost: {sorted(set(self.old) - set(found))}"
 
+    def signal_problem(self, outcome, number):
+        """What is wrong about the end of a script by a signal: it may come when all is done."""
+        if outcome.code not in (0, -number): return f"exit code {outcome.code}: {outcome.err!r}"
+        left = [name for name in contents(self.out) if name.endswith(".burl-tmp")]
+        if left: return f"left over: {left}"
+        return self.problem(Outcome(0, ""))
+
 
 def main():
     editor, report = Editor(*sys.argv[1:4]), Report()
@@ -63,6 +71,11 @@ def main():
                 number = 1 + (2 * i + (action == "fail")) * count // (2 * tries)
                 outcome = editor.play(calls=calls, at=number, action=action)
                 report.add(f"{action} at {number} of {calls}", editor.problem(outcome))
+    count, tries = editor.count([*WORDS, editor.script], "files"), 60 if EVERY else 6
+    for i in range(tries):
+        number = (signal.SIGTERM, signal.SIGINT, signal.SIGHUP)[i % 3]
+        outcome = editor.play(calls="files", at=1 + count // 2 + i * count // (2 * tries), action=f"signal:{int(number)}")
+        report.add(f"{number.name} at call {1 + count // 2 + i * count // (2 * tries)} of {count}", editor.signal_problem(outcome, number))
     return report.end("editor")
 
 

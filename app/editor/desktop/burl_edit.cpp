@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <string_view>
@@ -115,7 +116,9 @@ void print_manual(const CLI::App& program, const std::string& form) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a write error, which is told
     burl::end_where_memory_ends(out_of_memory);
+    burl::clean_up_on_signals();
     CLI::App program{"Texture editor: open a mesh, move sliders, save a .glb", "burl-edit"};
     Command command;
     command.editor.recipe = "malachite";  // what shows best, in the studio, what there is to edit
