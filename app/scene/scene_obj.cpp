@@ -30,7 +30,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
-/// Calls visit(keyword, rest of the line) for every line.
+/// Calls visit(keyword, rest of the line) for every line, comments included.
 template <class Visit>
 void for_each_line(std::string_view text, Visit visit) {
     while (!text.empty()) {
@@ -53,15 +53,17 @@ MaterialUse find_materials(const std::string& path) {
     MaterialUse use;
     std::map<std::string, std::uint32_t> numbers;
     std::uint32_t current = no_index;
-    for_each_line(file.text(), [&](std::string_view keyword, std::string_view rest) {
+    TextScanner in(file, true);  // as the mesh is read, so that faces are the same ones
+    do {
+        const std::string_view keyword = in.word(), rest = in.rest_of_line();
         if (keyword == "mtllib") use.library = rest;
         if (keyword == "f" || keyword == "fo") use.of_face.push_back(current);
-        if (keyword != "usemtl") return;
+        if (keyword != "usemtl") continue;
         const auto [found, is_new] =
             numbers.try_emplace(std::string(rest), std::uint32_t(use.names.size()));
         current = found->second;
         if (is_new) use.names.emplace_back(rest);
-    });
+    } while (in.next_line());
     return use;
 }
 

@@ -217,6 +217,20 @@ TEST(ObjMaterial, EveryFaceHasItsOwn) {
     EXPECT_EQ(scene.surfaces[2].material.factor, default_grey);
 }
 
+/// Joined lines hide a face from those who read line by line, other blanks hide one that is there.
+TEST(ObjMaterial, FacesAreCountedAsTheMeshIsRead) {
+    const MaterialFolder folder;
+    std::ofstream(folder / "m.mtl") << "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\n";
+    std::ofstream(folder / "m.obj")
+        << "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl a\n# as before \\\nf 1 2 3\n"
+           "\v\f f 1 2 3\nusemtl b\nf 2 \\\n4 3\n";
+    const Scene scene = load_scene(folder / "m.obj");
+    ASSERT_EQ(scene.surfaces.size(), 2u);
+    EXPECT_EQ(scene.surfaces[0].material.factor, Vec4f(1, 0, 0, 1));
+    EXPECT_EQ(scene.surfaces[1].material.factor, Vec4f(0, 1, 0, 1));
+    EXPECT_EQ(scene.surfaces[1].positions[1], Vec3d(1, 1, 0));
+}
+
 TEST(ObjMaterial, SaysWhatItLeavesOut) {
     const MaterialFolder folder;
     write_png(folder / "small.png", Image<Rgb8>(1, 1));
