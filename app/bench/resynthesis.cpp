@@ -84,7 +84,7 @@ std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
 }
 
 Recipe load_plain(const std::string& name, std::size_t side) {
-    const Recipe recipe = sized_recipe(name, side);
+    Recipe recipe = sized_recipe(name, side);
     const Texture* texture = plain_texture(recipe.texture);
     if (!texture || texture->noise.empty() || texture->colors.stops.empty() ||
         recipe.filter != Filter{} || recipe.precision.kind)

@@ -24,7 +24,7 @@ Image<Rgb8> cube_part(std::istringstream& words) {
     double size = 0.0;
     words >> recipe >> size >> shown;
     const Texture texture = plain_preset(recipe);
-    const Image<Rgb8> forward = draw_cube(texture, size, side, CubeMethod::forward);
+    Image<Rgb8> forward = draw_cube(texture, size, side, CubeMethod::forward);
     if (shown == "forward") return forward;
     const Image<Rgb8> pixelwise = draw_cube(texture, size, side, CubeMethod::pixelwise);
     return shown == "pixelwise" ? pixelwise : disagreement(pixelwise, forward);
@@ -32,7 +32,7 @@ Image<Rgb8> cube_part(std::istringstream& words) {
 
 /// The plot's octaves: all of the recipe's or the one of that number.
 std::vector<Octave> chosen_octaves(const std::string& recipe, const std::string& which) {
-    const std::vector<Octave> octaves = expand_octaves(plain_preset(recipe));
+    std::vector<Octave> octaves = expand_octaves(plain_preset(recipe));
     if (which == "all") return octaves;
     return {octaves.at(std::stoul(which) - 1)};
 }

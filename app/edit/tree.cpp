@@ -199,7 +199,7 @@ void RecipeTree::keep_under_name(const std::string& place) {
 }
 
 std::string RecipeTree::called(const Json& value, const std::string& place) {
-    if (const std::string name = defined_at(place); !name.empty()) return name;
+    if (std::string name = defined_at(place); !name.empty()) return name;
     if (is_graph_name(value)) return value.get<std::string>();
     return is_node(value) ? spoken(type_of(value).name) : "nothing";
 }
@@ -255,7 +255,7 @@ const Json& RecipeTree::names() const {
 std::string RecipeTree::free_name(const std::string& wish) const {
     if (!names().contains(wish)) return wish;
     for (int number = 2;; ++number)
-        if (const std::string name = fmt::format("{}_{}", wish, number); !names().contains(name))
+        if (std::string name = fmt::format("{}_{}", wish, number); !names().contains(name))
             return name;
 }
 

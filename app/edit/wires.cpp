@@ -23,10 +23,10 @@ void refuse_target(const std::string& to) {
 
 /// The name by which others can use the node at a place, which gets one where it has none.
 std::string shared_name(RecipeTree& tree, const std::string& place) {
-    if (const std::string name = defined_at(place); !name.empty()) return name;
+    if (std::string name = defined_at(place); !name.empty()) return name;
     Json& value = tree.at(place);
     if (is_graph_name(value)) return value.get<std::string>();
-    const std::string name = tree.free_name(std::string(type_of(value).name));
+    std::string name = tree.free_name(std::string(type_of(value).name));
     Json node = std::exchange(value, name);
     tree.add_name(name, std::move(node));
     return name;

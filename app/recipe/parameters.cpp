@@ -30,7 +30,7 @@ std::string only_quads(const Recipe& recipe) {
 }
 
 std::string only_bilinear_quads(const Recipe& recipe) {
-    const std::string why = only_quads(recipe);
+    std::string why = only_quads(recipe);
     if (!why.empty() || recipe.atlas.overscan == Overscan::bilinear) return why;
     return "with overscan nearest there is none of it; add --overscan bilinear, or leave it out";
 }

@@ -76,12 +76,19 @@ bool understood(const std::string& extension) {
                        [&](const char* prefix) { return extension.starts_with(prefix); });
 }
 
+/// The list of names that is the member `key` of the root; null if there is none.
+const Json* names_in(const GltfChecker& gltf, const Json& root, const char* key) {
+    const Json* names = gltf.array_in(root, key, "glTF");
+    if (names && !std::ranges::all_of(*names, [](const Json& name) { return name.is_string(); }))
+        gltf.fail(key, "must hold strings only");
+    return names;
+}
+
 void check_extensions(const GltfChecker& gltf, const Json& root, const std::string& path) {
-    gltf.array_in(root, "extensionsUsed", "glTF");
-    const Json* required = gltf.array_in(root, "extensionsRequired", "glTF");
+    names_in(gltf, root, "extensionsUsed");
+    const Json* required = names_in(gltf, root, "extensionsRequired");
     if (required == nullptr) return;
     for (const Json& name : *required) {
-        if (!name.is_string()) gltf.fail("extensionsRequired", "must hold strings only");
         if (!understood(name.get_ref<const std::string&>()))
             throw Error(ExitCode::unsupported,
                         fmt::format("{}: the file requires the glTF extension {}, which is not "

@@ -52,7 +52,7 @@ std::string file_name(const std::string& path) {
 
 std::string claim_numbered(const std::string& stem, const std::string& extension) {
     for (int number = 1;; ++number) {
-        const std::string path = fmt::format("{}-{:03}{}", stem, number, extension);
+        std::string path = fmt::format("{}-{:03}{}", stem, number, extension);
         const int descriptor = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
         if (descriptor >= 0) {
             ::close(descriptor);

@@ -128,7 +128,7 @@ std::string title_of(std::string_view name, const std::string& owner, const Node
     // The terms of the one field of a plain texture need no place.
     if (node != words.end() && !name.starts_with("noise ")) return capitalised(node->second);
     const std::string_view known = in_words(titles, last);
-    const std::string title = capitalised(std::string(known.empty() ? last : known));
+    std::string title = capitalised(std::string(known.empty() ? last : known));
     const auto field = words.find(owner.substr(0, std::min(owner.rfind('.'), owner.size())));
     if (at == std::string_view::npos || field == words.end()) return title;
     return fmt::format("{} of {}", title, field->second);

@@ -93,7 +93,7 @@ std::string values_words(const Json& before, const Json& after) {
     ValueDifferences differences;
     differences.compare(before, after, "");
     const std::vector<std::string>& paths = differences.paths;
-    if (const std::string control = control_of(after, paths); !control.empty() && !differences.form)
+    if (std::string control = control_of(after, paths); !control.empty() && !differences.form)
         return control;
     if (differences.form && paths.size() == 1 && stop_of(paths[0] + ".0") > 0)
         return "colour stops";

@@ -240,7 +240,7 @@ SliderRange slider_range(const Parameter& parameter, double value) {
 ValueEdit edit_leaf(const RecipeLeaf& leaf, const LeafRow& row, EditItems& items) {
     begin_row(row.label, leaf.path, row.room);
     leaf_tip(leaf);
-    const ValueEdit edit = edit_value(leaf, row, items);
+    ValueEdit edit = edit_value(leaf, row, items);
     leaf_tip(leaf);
     return edit;
 }

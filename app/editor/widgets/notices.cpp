@@ -67,7 +67,7 @@ std::string EditNotices::show(EditItems& items, std::vector<Notice> notices, flo
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
                      ImGuiWindowFlags_NoNav);
-    const std::string answer = notice_lines(items, notices);
+    std::string answer = notice_lines(items, notices);
     ImGui::End();
     if (answer == "Dismiss") until_ = 0.0;
     return answer;

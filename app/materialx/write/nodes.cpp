@@ -60,7 +60,7 @@ Operand NodeWriter::number(const std::string& category, const OperandInputs& inp
 }
 
 std::string NodeWriter::combined(const std::string& type, const std::vector<Operand>& parts) {
-    if (const std::string known = common_node(type, parts); !known.empty()) return known;
+    if (std::string known = common_node(type, parts); !known.empty()) return known;
     if (std::ranges::all_of(parts, &Operand::is_constant)) {
         std::string text;
         for (const Operand& part : parts)

@@ -82,7 +82,7 @@ class RecipeWriter {
   private:
     /// The point of solid space at the object's position.
     std::vector<Operand> solid_point() {
-        const std::vector<Operand> position = components_of(
+        std::vector<Operand> position = components_of(
             nodes_.add("position", "vector3", {value_input("space", "string", "object")}),
             "vector3");
         const Affine3 same;

@@ -38,7 +38,7 @@ class ImageGraph {
     /// Adds an image and returns its name.
     std::string image(const std::string& channel, const std::string& type, const std::string& file,
                       bool srgb) {
-        const std::string name = channel + "_image";
+        std::string name = channel + "_image";
         XmlElement& image = node("image", name, type);
         XmlElement& input = image.add(value_input("file", "filename", file));
         if (srgb) input.attributes.emplace_back("colorspace", "srgb_texture");

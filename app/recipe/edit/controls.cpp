@@ -88,7 +88,7 @@ double number_of(const std::string& setting, const RecipeControl& control,
 std::string color_of(const std::string& setting, const RecipeControl& control) {
     const std::string text = name_and_value(setting).second;
     const Json value = Json::parse(text, nullptr, false);
-    const std::string color = value.is_string() ? value.get<std::string>() : text;
+    std::string color = value.is_string() ? value.get<std::string>() : text;
     if (color.starts_with('#')) return color;
     throw wrong_setting(setting, fmt::format("\"{}\" must be a colour \"#rrggbb\"", control.name));
 }

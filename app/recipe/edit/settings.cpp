@@ -135,7 +135,7 @@ std::string apply_setting(Json& recipe, const std::string& setting) {
     if (equals == std::string::npos || equals == 0)
         throw Error(ExitCode::usage,
                     fmt::format("--set: \"{}\" must have the form path=value", setting));
-    const std::string path = respelled_path(setting.substr(0, equals));
+    std::string path = respelled_path(setting.substr(0, equals));
     const SchemaNode* node = &recipe_schema();
     // The edit is made in a copy, since a wrong path must leave the recipe unchanged.
     Json edited = recipe;

@@ -285,6 +285,7 @@ TEST(GltfDocument, ExtensionsAndVersions) {
         {"bufferView", 0}, {"attributes", {{"POSITION", 0}}}};
     expect_error([&] { draco.read(); }, ExitCode::unsupported, "KHR_draco_mesh_compression");
     expect_refused("/extensionsUsed", "VEC3", "extensionsUsed");
+    expect_refused("/extensionsUsed", Json::array({Json::object()}), "strings only");
     expect_refused("/asset/version", "1.0", "glTF version '1.0'");
     expect_refused("/asset", Json::object(), "'version' is missing");
 }
