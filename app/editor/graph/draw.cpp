@@ -160,7 +160,7 @@ class CanvasPicture {
                     high = low + Vec2d(model_.box(index).width, model_.box(index).height);
         const ImVec2 a = to_screen(screen(low)), b = to_screen(screen(high));
         const ImVec2 below(b.x, is_small() ? b.y : a.y + zoomed(node_title));
-        const float round = corner_radius(a, below, zoomed(5.0));
+        const float round = zoomed(5.0);
         list_.AddRectFilled(a, b, body_color, round);
         list_.AddRectFilled(a, below, title_color(node), round,
                             is_small() ? ImDrawFlags_RoundCornersAll : ImDrawFlags_RoundCornersTop);
@@ -242,7 +242,7 @@ class CanvasPicture {
     void swatch(const Vec2d& point, const Json& hex) {
         const Rgb8 color = color_from_hex(hex.get<std::string>());
         const ImVec2 a = to_screen(screen(point)), b = to_screen(screen(point + Vec2d(22.0, 10.0)));
-        const float round = corner_radius(a, b, zoomed(2.0));
+        const float round = zoomed(2.0);
         list_.AddRectFilled(a, b, IM_COL32(color.r, color.g, color.b, 255), round);
         list_.AddRect(a, b, node_edge, round);
     }

@@ -53,7 +53,7 @@ void draw(const Frame& frame, ImGuiID id, double value, const SliderRange& range
     const float from = both ? frame.x_of(share_of(0.0, range, scale)) : frame.low.x;
     const float left = std::min(from, x), right = std::max(from, x);
     const ImVec2 low(left, frame.low.y), high(right, frame.high.y);
-    list.AddRectFilled(low, high, palette().fill, corner_radius(low, high, rounding),
+    list.AddRectFilled(low, high, palette().fill, rounding,
                        both ? ImDrawFlags_RoundCornersNone : ImDrawFlags_RoundCornersLeft);
     // The value's mark is below the number, which it must not cover.
     const ImU32 mark = active || hovered ? palette().handle : palette().accent;

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <imgui_internal.h>
+
 namespace burl {
 
 namespace {
@@ -132,6 +134,11 @@ void set_theme(ImGuiStyle& style, Theme theme) {
 const Palette& palette() {
     const bool light = ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x > 0.5f;
     return light ? light_palette : dark_palette;
+}
+
+void allow_tiny_corners() {
+    ImU8* const segments = ImGui::GetDrawListSharedData()->CircleSegmentCounts;
+    segments[0] = segments[1];
 }
 
 }  // namespace burl

@@ -35,10 +35,9 @@ inline ImVec4 style_color(ImU32 color) {
     return ImGui::ColorConvertU32ToFloat4(color);
 }
 
-/// The radius of a rectangle's corners, 0 where it is small: ImGui 1.86 divides by 0 where a side
-/// is one or two pixels and up to a millionth of one more.
-inline float corner_radius(const ImVec2& low, const ImVec2& high, float wanted) {
-    return std::min(high.x - low.x, high.y - low.y) >= 4.0f ? wanted : 0.0f;
-}
+/// Lets corners of any radius be drawn in the frame that has just begun: ImGui 1.86 divides by the
+/// segments of a circle whose radius is below a millionth of a pixel, of which it has none; so are
+/// corners of rectangles hardly more than one or two pixels wide.
+void allow_tiny_corners();
 
 }  // namespace burl

@@ -14,6 +14,7 @@
 #include "app/editor/panels/files.h"
 #include "app/editor/session/input.h"
 #include "app/editor/widgets/keys.h"
+#include "app/editor/widgets/theme.h"
 #include "app/editor/widgets/widgets.h"
 #include "app/editor/window/kept_view.h"
 #include "app/image/image_io.h"
@@ -234,6 +235,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     if (graph_.shown) graph_.follow(session_);
     forget_unseen_popups();
     ImGui::NewFrame();
+    allow_tiny_corners();
     shortcuts();
     layout();
     ImGui::Render();

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "app/editor/widgets/theme.h"
 #include "app/editor/window/window.h"
 #include "app/gl/device/target.h"
 #include "tests/app/gl/device/fixture.h"
@@ -121,6 +122,18 @@ void paint_random(ImDrawList& list, std::mt19937& random) {
         list.AddRectFilled({x, y}, {x + 9.5f, y + 7.25f}, IM_COL32(40 * i, 255 - 40 * i, 90, 128));
     }
     list.AddText({float(random() % 30U), 20.0f}, IM_COL32_WHITE, random() % 2U == 0 ? "a" : "bcd");
+}
+
+/// Rectangles a little wider than two pixels, whose corners' radius is what lies beyond them: ImGui
+/// alone ends the program there.
+TEST_F(GlImGuiTest, CornersOfAnyRadiusAreDrawn) {
+    const Image<Rgb8> image = drawn([](ImDrawList& list) {
+        allow_tiny_corners();
+        for (float more : {0.0f, 2e-7f, 5e-7f, 1e-6f, 1e-4f, 0.5f})
+            list.AddRectFilled({0, 10}, {2.0f + more, 40}, IM_COL32(255, 0, 0, 255), 5.0f);
+    });
+    EXPECT_EQ(image(0, 25), (Rgb8{255, 0, 0}));
+    EXPECT_EQ(image(5, 25), (Rgb8{0, 0, 0}));
 }
 
 TEST_F(GlImGuiTest, WhatChangedIsWhatWouldBeDrawn) {
