@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "atlas/file/text_scanner.h"
 #include "atlas/gltf/container.h"
 #include "atlas/gltf/document.h"
 
@@ -82,8 +83,19 @@ bool erase_extension(Json& object, const char* name) {
     return true;
 }
 
+Error wrong_type(const std::string& path, const std::string& reason) {
+    const std::string said = reason.substr(std::min(reason.find("] ") + 2, reason.size()));
+    return Error(ExitCode::invalid_file,
+                 fmt::format("{}: a member of the glTF has another type than glTF 2.0 gives it "
+                             "({}); a validator names it, and an output of another format keeps "
+                             "nothing of it",
+                             path, printable(said)));
+}
+
 KeptDocument::KeptDocument(const FileBuffer& file)
-    : folder_(std::filesystem::path(file.path).parent_path().string()), named_(file.named) {
+    : path_(file.path),
+      folder_(std::filesystem::path(file.path).parent_path().string()),
+      named_(file.named) {
     tinygltf::Model model = load_gltf(file);
     json = Json::parse(split_gltf(file).json);
     for (tinygltf::Buffer& buffer : model.buffers) sources_.push_back(std::move(buffer.data));

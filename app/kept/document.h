@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/base/json_text.h"
+#include "atlas/base/error.h"
 #include "atlas/base/json.h"
 #include "atlas/file/file_buffer.h"
 
@@ -55,6 +56,7 @@ class KeptDocument {
     /// The copies of the file's meshes that were made for some of their nodes (mesh and nodes).
     std::map<std::pair<int, std::vector<int>>, std::size_t> copies{};
 
+    const std::string& path() const { return path_; }  ///< of the file
     /// The folder of the file, where images with relative uris lie.
     const std::string& folder() const { return folder_; }
     /// The path of an image's file beside it; empty for a uri that is none, or that leads out of
@@ -94,12 +96,27 @@ class KeptDocument {
   private:
     void drop_unused(GltfList list);
 
-    std::string folder_;
+    std::string path_, folder_;
     NamedFiles named_;
     std::deque<std::vector<std::uint8_t>> sources_;  ///< buffers of the file
     std::deque<std::vector<std::uint8_t>> added_;
     std::vector<std::span<const std::uint8_t>> views_;
 };
+
+/// The error of a member that has a type of its own; `reason` is the JSON library's.
+Error wrong_type(const std::string& path, const std::string& reason);
+
+/// The result of `work` on the document of the file at `path`. Throws Error(invalid_file) where the
+/// work meets a member of another type than glTF 2.0 gives it: load_gltf() checks those that it
+/// uses, not a name, a flag or extras.
+template <class Work>
+auto with_types_of_gltf(const std::string& path, const Work& work) {
+    try {
+        return work();
+    } catch (const Json::exception& error) {
+        throw wrong_type(path, error.what());
+    }
+}
 
 /// Removes an extension from an object; returns whether it had that.
 bool erase_extension(Json& object, const char* name);

@@ -98,7 +98,8 @@ bool keeps_document(const std::string& mesh_path, const std::string& out_path) {
 }
 
 std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path, NamedFiles named) {
-    return std::make_shared<KeptScene>(read_file(mesh_path, named));
+    return with_types_of_gltf(
+        mesh_path, [&] { return std::make_shared<KeptScene>(read_file(mesh_path, named)); });
 }
 
 void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& options,
@@ -109,8 +110,10 @@ void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& 
     scene.pictures = lower_extension(pictures) == ".glb" ? "" : pictures;
 }
 
-std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content,
-                                   std::span<const CornerOrigin> corners) {
+namespace {
+
+std::vector<AtomicFile> files_of(KeptScene& scene, const SceneContent& content,
+                                 std::span<const CornerOrigin> corners) {
     KeptDocument& document = scene.document;
     std::ranges::move(carve(document, {scene.origins, corners, content, scene.uv_set,
                                        scene.pictures, scene.labels}),
@@ -125,9 +128,8 @@ std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content
     return std::move(scene.pending);
 }
 
-std::vector<std::string> losses_of_flat(const std::string& mesh_path) {
+std::vector<std::string> losses_of(const std::string& mesh_path) {
     std::vector<std::string> losses;
-    if (is_sample_mesh(mesh_path) || !has_gltf_extension(mesh_path)) return losses;
     const FileBuffer file = read_file(mesh_path);
     const Json document = Json::parse(split_gltf(file).json);
     add_counts(document, losses);
@@ -140,6 +142,19 @@ std::vector<std::string> losses_of_flat(const std::string& mesh_path) {
         losses.push_back(fmt::format("the extensions {}", fmt::join(names, ", ")));
     }
     return losses;
+}
+
+}  // namespace
+
+std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content,
+                                   std::span<const CornerOrigin> corners) {
+    return with_types_of_gltf(scene.document.path(),
+                              [&] { return files_of(scene, content, corners); });
+}
+
+std::vector<std::string> losses_of_flat(const std::string& mesh_path) {
+    if (is_sample_mesh(mesh_path) || !has_gltf_extension(mesh_path)) return {};
+    return with_types_of_gltf(mesh_path, [&] { return losses_of(mesh_path); });
 }
 
 std::string losses_sentence(const std::vector<std::string>& losses) {
