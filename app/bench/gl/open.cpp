@@ -22,18 +22,18 @@ namespace {
 /// Seconds from the drop to an event, unless stated otherwise.
 struct OpenBench {
     std::size_t faces = 0;
-    double read = 0.0;     ///< the mesh has been read
-    double shown = 0.0;    ///< its first texture is on the screen
-    double finest = 0.0;   ///< its first texture at level 0 is on the screen
-    double smooth = 0.0;   ///< level 0 is drawn with several samples per pixel
-    double patches = 0.0;  ///< level 0 in the recipe's own atlas is on the screen
-    double worked = 0.0;   ///< processor time of all threads until `shown`
-    Durations frame{};     ///< frame time from input to the end of drawing, while the pointer moves
-    Durations panels{};    ///< share of the user interface in the frame time
+    double read = 0.0;       ///< the mesh has been read
+    double shown = 0.0;      ///< its first texture is on the screen
+    double finest = 0.0;     ///< its first texture at level 0 is on the screen
+    double smooth = 0.0;     ///< level 0 is drawn with several samples per pixel
+    double own_atlas = 0.0;  ///< level 0 in the recipe's own atlas is on the screen
+    double worked = 0.0;     ///< processor time of all threads until `shown`
+    Durations frame{};   ///< frame time from input to the end of drawing, while the pointer moves
+    Durations panels{};  ///< share of the user interface in the frame time
     /// Processor time of the user interface's thread per frame, without drawing, with uploads.
     Durations thread{};
     Durations turning{};   ///< frame time while the camera moves, afterwards
-    double closing = 0.0;  ///< duration of closing the editor while patches are laid out
+    double closing = 0.0;  ///< duration of closing the editor while the atlas is laid out
 };
 
 constexpr glm::ivec2 window_size{1280, 800};
@@ -127,7 +127,7 @@ OpenBench bench_open(std::size_t faces) {
     const auto smooth = [&](EditorProgram& editor) {
         return finest(editor) && editor.shown_smooth();
     };
-    const auto patches = [&](EditorProgram& editor) {
+    const auto own_atlas = [&](EditorProgram& editor) {
         return finest(editor) && editor.baker().front().surface()->atlas == "chart";
     };
     {
@@ -138,7 +138,7 @@ OpenBench bench_open(std::size_t faces) {
         bench.worked = double(std::clock() - began) / CLOCKS_PER_SEC;
         bench.finest = opening.until(finest);
         bench.smooth = opening.until(smooth);
-        bench.patches = opening.until(patches);
+        bench.own_atlas = opening.until(own_atlas);
         bench.frame = opening.frames();
         bench.panels = opening.panels();
         bench.thread = opening.thread();
@@ -158,7 +158,7 @@ Json open_json(const OpenBench& bench) {
             {"shown_processor_seconds", bench.worked},
             {"finest_seconds", bench.finest},
             {"smooth_seconds", bench.smooth},
-            {"patches_seconds", bench.patches},
+            {"own_atlas_seconds", bench.own_atlas},
             {"frame_ms", durations_json(bench.frame)},
             {"panels_ms", durations_json(bench.panels)},
             {"thread_ms", durations_json(bench.thread)},
@@ -173,12 +173,12 @@ void print_open(const OpenBench& bench) {
     fmt::print(
         "{} faces\n  read                  {:.2f} s\n  first picture         {:.2f} s ({:.2f} s of "
         "processors)\n"
-        "  finest level          {:.2f} s, smooth {:.2f} s\n  patches               {:.2f} s\n"
+        "  finest level          {:.2f} s, smooth {:.2f} s\n  its own atlas         {:.2f} s\n"
         "  frames, median (p95)  {}\n  panels alone          {}\n  worked, drawing aside {}\n  "
         "while turning         {}\n"
         "  closing meanwhile     {:.2f} s\n",
         bench.faces, bench.read, bench.shown, bench.worked, bench.finest, bench.smooth,
-        bench.patches, row(bench.frame), row(bench.panels), row(bench.thread), row(bench.turning),
+        bench.own_atlas, row(bench.frame), row(bench.panels), row(bench.thread), row(bench.turning),
         bench.closing);
 }
 
