@@ -376,25 +376,6 @@ TEST_F(KeptTest, KeysOfThePoseAreAnAnimationOfTheSameWeights) {
     }
 }
 
-/// A reader of meshes has no use for a flag or a name, whatever their type; whoever keeps them has.
-TEST_F(KeptTest, MembersOfAnotherTypeAreToldWithTheFile) {
-    for (const auto& [place, value] : std::map<std::string, Json>{
-             {"/accessors/0/normalized", 1}, {"/materials/1/name", 7}, {"/materials/0/name", 7}}) {
-        Json document = Json::parse(kept_samples().at("two_materials"));
-        document[Json::json_pointer(place)] = value;
-        const std::string source = folder / "wrong.gltf";
-        std::ofstream(source) << document;
-        try {
-            bake(source, folder / "a.glb", [](BakeCommand&) {});
-            FAIL() << place;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ExitCode::invalid_file) << place;
-            EXPECT_THAT(error.what(), testing::HasSubstr("wrong.gltf")) << place;
-        }
-        EXPECT_FALSE(std::filesystem::exists(folder / "a.glb"));
-    }
-}
-
 TEST_F(KeptTest, WrongNamesAreToldWithThoseThatThereAre) {
     const auto wrong = [](BakeCommand& command) {
         command.meshes.read.choice.materials = {"Glas*"};
