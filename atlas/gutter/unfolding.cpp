@@ -7,10 +7,10 @@
 namespace burl {
 namespace {
 
-/// Triangles after which a walk that has come less than this share of its way is given up: among
-/// triangles that are nothing beside a texel it would go on to the end, for every texel.
+/// Triangles after which a walk is given up that would not arrive within the longest one at this
+/// rate: among triangles that are nothing beside a texel each texel's would go on to the end.
 constexpr int early_triangles = 512;
-constexpr double early_share = 1e-4;
+constexpr double early_share = double(early_triangles) / longest_walk;
 /// Sine of a triangle's angle, here or in the plane, below which it has no area to walk from.
 constexpr double least_sine = 1e-12;
 

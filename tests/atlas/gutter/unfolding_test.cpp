@@ -253,7 +253,7 @@ TEST(Unfolding, WalksThatDoNotGetOnAreGivenUp) {
         const Walk walk = unfolding.walk(first, {0.5 * side, 0.5 * side}, {100.0, 40.0});
         EXPECT_EQ(walk.arrived, side == 0.05) << side;  // by way of more than 2000 squares
         EXPECT_LT(walk.share, side == 0.05 ? 1.5 : 0.2) << side;
-        EXPECT_EQ(unfolding.size() > 600, side > 1e-5) << side;
+        EXPECT_EQ(unfolding.size() > 600, side == 0.05) << side;
     }
 }
 
