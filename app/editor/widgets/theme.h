@@ -35,9 +35,9 @@ inline ImVec4 style_color(ImU32 color) {
     return ImGui::ColorConvertU32ToFloat4(color);
 }
 
-/// Lets corners of any radius be drawn in the frame that has just begun: ImGui 1.86 divides by the
-/// segments of a circle whose radius is below a millionth of a pixel, of which it has none; so are
-/// corners of rectangles hardly more than one or two pixels wide.
+/// Lets corners of any radius be drawn in the frame that has just begun. ImGui 1.86 divides by the
+/// number of a circle's segments, which is 0 for a radius below a millionth of a pixel; corners have
+/// such a radius where a rectangle is hardly wider than one or two pixels.
 void allow_tiny_corners();
 
 }  // namespace burl
