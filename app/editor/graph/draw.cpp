@@ -11,7 +11,6 @@
 #include "app/edit/node_kinds.h"
 #include "app/editor/graph/graph.h"
 #include "app/editor/widgets/keys.h"
-#include "app/editor/widgets/theme.h"
 #include "atlas/base/json.h"
 #include "procedural/model/texture_json.h"
 
@@ -159,10 +158,10 @@ class CanvasPicture {
         const Vec2d low = model_.place(index),
                     high = low + Vec2d(model_.box(index).width, model_.box(index).height);
         const ImVec2 a = to_screen(screen(low)), b = to_screen(screen(high));
-        const ImVec2 below(b.x, is_small() ? b.y : a.y + zoomed(node_title));
         const float round = zoomed(5.0);
         list_.AddRectFilled(a, b, body_color, round);
-        list_.AddRectFilled(a, below, title_color(node), round,
+        list_.AddRectFilled(a, is_small() ? b : ImVec2(b.x, a.y + zoomed(node_title)),
+                            title_color(node), round,
                             is_small() ? ImDrawFlags_RoundCornersAll : ImDrawFlags_RoundCornersTop);
         const bool chosen = model_.is_chosen(node.place);
         list_.AddRect(a, b, chosen ? chosen_edge : node_edge, round, 0,
@@ -242,9 +241,8 @@ class CanvasPicture {
     void swatch(const Vec2d& point, const Json& hex) {
         const Rgb8 color = color_from_hex(hex.get<std::string>());
         const ImVec2 a = to_screen(screen(point)), b = to_screen(screen(point + Vec2d(22.0, 10.0)));
-        const float round = zoomed(2.0);
-        list_.AddRectFilled(a, b, IM_COL32(color.r, color.g, color.b, 255), round);
-        list_.AddRect(a, b, node_edge, round);
+        list_.AddRectFilled(a, b, IM_COL32(color.r, color.g, color.b, 255), zoomed(2.0));
+        list_.AddRect(a, b, node_edge, zoomed(2.0));
     }
 
     void pins(std::size_t index) {

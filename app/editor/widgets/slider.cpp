@@ -52,8 +52,7 @@ void draw(const Frame& frame, ImGuiID id, double value, const SliderRange& range
     const bool both = range.low < 0.0 && range.high > 0.0;
     const float from = both ? frame.x_of(share_of(0.0, range, scale)) : frame.low.x;
     const float left = std::min(from, x), right = std::max(from, x);
-    const ImVec2 low(left, frame.low.y), high(right, frame.high.y);
-    list.AddRectFilled(low, high, palette().fill, rounding,
+    list.AddRectFilled({left, frame.low.y}, {right, frame.high.y}, palette().fill, rounding,
                        both ? ImDrawFlags_RoundCornersNone : ImDrawFlags_RoundCornersLeft);
     // The value's mark is below the number, which it must not cover.
     const ImU32 mark = active || hovered ? palette().handle : palette().accent;

@@ -1,6 +1,5 @@
 #pragma once
 // The look of the user interface: colours of the dark and the light theme, spacing and rounding.
-#include <algorithm>
 
 #include <imgui.h>
 
@@ -36,8 +35,8 @@ inline ImVec4 style_color(ImU32 color) {
 }
 
 /// Lets corners of any radius be drawn in the frame that has just begun. ImGui 1.86 divides by the
-/// number of a circle's segments, which is 0 for a radius below a millionth of a pixel; corners have
-/// such a radius where a rectangle is hardly wider than one or two pixels.
+/// number of a circle's segments, which is 0 for a radius below a millionth of a pixel; corners
+/// have such a radius where a rectangle is hardly wider than one or two pixels.
 void allow_tiny_corners();
 
 }  // namespace burl
