@@ -48,15 +48,27 @@ bool vanishes(const std::array<Vec2d, 3>& c) {
     return !(std::abs(doubled_area(c)) > 1e-9 * longest_squared(c));
 }
 
+/// Height over the texture's side below which a triangle has no orientation: texture coordinates of
+/// 32 bits do not tell it, and the unit frame (atlas/mesh/unit_frame.h), in which a patch is found
+/// to be flat, does not tell on which side such a triangle of the mesh lies.
+constexpr double least_told_height = 0x1p-24;
+
+/// Whether the triangle is lower than `height`.
+bool is_lower(const std::array<Vec2d, 3>& c, double height) {
+    return std::abs(doubled_area(c)) < height * std::sqrt(longest_squared(c));
+}
+
 std::uint64_t count_flipped(const Atlas& atlas, std::span<const std::uint32_t> charts,
                             std::uint32_t chart_count) {
+    const double height = least_told_height * std::max(sides_of(atlas).x, sides_of(atlas).y);
     std::vector<double> balance(chart_count, 0.0);
     for (std::size_t t = 0; t < charts.size(); ++t)
         balance[charts[t]] += doubled_area(atlas.corners[t]);
     std::uint64_t flipped = 0;
     for (std::size_t t = 0; t < charts.size(); ++t) {
         const auto& corners = atlas.corners[t];
-        if (!vanishes(corners) && doubled_area(corners) * balance[charts[t]] < 0.0) ++flipped;
+        if (vanishes(corners) || is_lower(corners, height)) continue;
+        if (doubled_area(corners) * balance[charts[t]] < 0.0) ++flipped;
     }
     return flipped;
 }

@@ -39,7 +39,7 @@ struct ShapeMetrics {
     /// longest edge.
     std::uint64_t vanished = 0;
     /// Number of triangles whose orientation differs from most of their chart's texture area: the
-    /// chart folds there.
+    /// chart folds there. Triangles lower than 2^-24 of the texture's longer side do not count.
     std::uint64_t flipped = 0;
     /// Share of the surface's area that is mirrored: its texture reads reversed from outside.
     double mirrored = 0.0;

@@ -145,6 +145,22 @@ TEST(UvMetrics, FoldedAndVanishedTriangles) {
     EXPECT_DOUBLE_EQ(m.all.shape.mirrored, 0.5);
 }
 
+TEST(UvMetrics, FoldsThatFloatsDoNotTellAreNotCounted) {
+    // The third triangle of a strip reaches back over the second, by less and by more than 2^-24.
+    for (const auto& [depth, count] : {std::pair{0x1p-26, 0u}, {0x1p-22, 1u}}) {
+        Mesh mesh =
+            made::mesh_of({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}},
+                          {{0, 2, 1}, {2, 3, 1}, {2, 4, 3}, {4, 5, 3}});
+        const std::vector<Vec2d> place{{0.125, 0.125}, {0.125, 0.5},        {0.5, 0.125},
+                                       {0.5, 0.5},     {0.5 - depth, 0.25}, {0.875, 0.25}};
+        for (const Triangle& t : mesh.triangles)
+            for (const std::uint32_t p : t) mesh.corners.uvs.push_back(place[p]);
+        const Measured m = uv_metrics_measured(mesh, 64);
+        EXPECT_EQ(m.all.shape.flipped, count) << depth;
+        EXPECT_EQ(m.all.shape.vanished, 0u) << depth;
+    }
+}
+
 TEST(UvMetrics, PlacesOutsideTheTextureAreCountedAndClipped) {
     for (const double far : {2.0, 1e9, 1e300}) {
         const Measured m = uv_metrics_measured(
