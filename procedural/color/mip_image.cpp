@@ -1,13 +1,10 @@
 #include "procedural/color/mip_image.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <numbers>
+#include <span>
+#include <utility>
 
 #include "atlas/base/elementary.h"
-#include "procedural/color/srgb.h"
 
 namespace burl {
 
@@ -16,193 +13,53 @@ namespace {
 /// The size from which a coordinate has no useful fraction of a texel.
 constexpr double farthest = 0x1p40;
 
-/// The index of texel x within [0, size), or -1 where the wrap gives black.
-std::ptrdiff_t wrapped(double x, std::size_t size, ImageWrap wrap) {
-    const double n = double(size);
-    if (wrap == ImageWrap::clamp) return std::ptrdiff_t(std::clamp(x, 0.0, n - 1.0));
-    if (wrap == ImageWrap::repeat) return std::ptrdiff_t(x - n * std::floor(x / n));
-    return x >= 0.0 && x < n ? std::ptrdiff_t(x) : -1;
+float mean(float a, float b, float c, float d) {
+    return 0.25f * (a + b + c + d);
+}
+RgbF mean(const RgbF& a, const RgbF& b, const RgbF& c, const RgbF& d) {
+    return {mean(a.r, b.r, c.r, d.r), mean(a.g, b.g, c.g, d.g), mean(a.b, b.b, c.b, d.b)};
 }
 
-/// Lanczos's filter of two lobes, x in units of its radius.
-double lanczos(double x) {
-    const double y = std::numbers::pi * std::abs(x);
-    if (y >= std::numbers::pi) return 0.0;
-    if (y < 1e-5) return 1.0;
-    return std::sin(2.0 * y) / (2.0 * y) * std::sin(y) / y;
-}
-
-/// The four source texels of a target texel, and their weights, which add up to one.
-struct Taps {
-    std::array<std::ptrdiff_t, 4> index{};
-    std::array<double, 4> weight{};
-};
-
-/// The taps that resample a row of `from` texels to `to` texels.
-std::vector<Taps> lanczos_taps(std::size_t from, std::size_t to, ImageWrap wrap) {
-    std::vector<Taps> all(to);
-    for (std::size_t i = 0; i < to; ++i) {
-        const double centre = (double(i) + 0.5) * double(from) / double(to);
-        const double first = std::floor(centre - 1.5);
-        double sum = 0.0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const double at = first + double(k);
-            all[i].index[k] = wrapped(at, from, wrap);
-            all[i].weight[k] = lanczos((at + 0.5 - centre) / 2.0);
-            sum += all[i].weight[k];
-        }
-        for (double& weight : all[i].weight) weight /= sum;
-    }
-    return all;
-}
-
-RgbF mixed(const Taps& taps, const auto& texel_at) {
-    std::array<double, 3> sum{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        if (taps.index[k] < 0) continue;
-        const RgbF texel = texel_at(std::size_t(taps.index[k]));
-        sum[0] += taps.weight[k] * double(texel.r);
-        sum[1] += taps.weight[k] * double(texel.g);
-        sum[2] += taps.weight[k] * double(texel.b);
-    }
-    return {float(std::max(sum[0], 0.0)), float(std::max(sum[1], 0.0)),
-            float(std::max(sum[2], 0.0))};
-}
-
-/// The rows of an image widened to a power of two, each made when it is asked for; the five that
-/// were asked for last are kept, one more than a column's taps need.
-template <class TexelAt>
-class WideRows {
-  public:
-    WideRows(std::size_t from, std::size_t width, const TexelAt& texel_at, ImageWrap wrap)
-        : texel_at_(texel_at) {
-        if (from != width) taps_ = lanczos_taps(from, width, wrap);
-        for (Row& row : rows_) row.texels.resize(width);
-    }
-    /// Row y, which stays until four others have been asked for.
-    const std::vector<RgbF>& operator()(std::size_t y) {
-        const auto known = std::ranges::find(rows_, std::ptrdiff_t(y), &Row::y);
-        Row& row = known != rows_.end() ? *known : rows_.front();
-        if (known == rows_.end()) fill(row, y);
-        std::rotate(rows_.begin(), rows_.begin() + (&row - rows_.data()) + 1, rows_.end());
-        return rows_.back().texels;
-    }
-
-  private:
-    struct Row {
-        std::ptrdiff_t y = -1;
-        std::vector<RgbF> texels;
-    };
-    void fill(Row& row, std::size_t y) const {
-        row.y = std::ptrdiff_t(y);
-        for (std::size_t x = 0; x < row.texels.size(); ++x)
-            row.texels[x] = taps_.empty()
-                                ? texel_at_(x, y)
-                                : mixed(taps_[x], [&](std::size_t k) { return texel_at_(k, y); });
-    }
-
-    const TexelAt& texel_at_;
-    std::vector<Taps> taps_;   ///< none where rows have a power of two of texels already
-    std::array<Row, 5> rows_;  ///< the one asked for last at the end
-};
-
-/// The image of texel_at(x, y) resampled along rows, then along columns; a side that is a power of
-/// two stays as it is.
-template <class TexelAt>
-Image<RgbF> with_power_of_two_sides(std::size_t columns, std::size_t rows, ImageWrap wrap,
-                                    const TexelAt& texel_at) {
-    const std::size_t width = std::bit_ceil(columns), height = std::bit_ceil(rows);
-    WideRows wide(columns, width, texel_at, wrap);
-    Image<RgbF> result(width, height);
-    if (height == rows) {
-        for (std::size_t y = 0; y < height; ++y) std::ranges::copy(wide(y), result.row(y).begin());
-        return result;
-    }
-    const std::vector<Taps> taps = lanczos_taps(rows, height, wrap);
-    for (std::size_t y = 0; y < height; ++y) {
-        std::array<const RgbF*, 4> four{};
-        for (std::size_t k = 0; k < 4; ++k)
-            if (taps[y].index[k] >= 0) four[k] = wide(std::size_t(taps[y].index[k])).data();
-        Taps column = taps[y];  // of the four rows
-        for (std::size_t k = 0; k < 4; ++k) column.index[k] = four[k] ? std::ptrdiff_t(k) : -1;
-        for (std::size_t x = 0; x < width; ++x)
-            result(x, y) = mixed(column, [&](std::size_t k) { return four[k][x]; });
-    }
-    return result;
-}
-
-/// The means of 2 x 2 texels of a level, or of two where one side is 1 already.
-Image<RgbF> halved(const MipImage& image, std::size_t level) {
-    const std::size_t dx = image.width(level) > 1, dy = image.height(level) > 1;
-    Image<RgbF> result(image.width(level) >> dx, image.height(level) >> dy);
-    for (std::size_t y = 0; y < result.height(); ++y)
+/// The means of 2 x 2 texels of a level whose rows are row(y), or of two where one side is 1
+/// already.
+template <class Texel, class Row>
+Image<Texel> halved(std::size_t width, std::size_t height, const Row& row) {
+    const std::size_t dx = width > 1, dy = height > 1;
+    auto result = Image<Texel>::unset(width >> dx, height >> dy);
+    std::vector<Texel> upper(width);
+    for (std::size_t y = 0; y < result.height(); ++y) {
+        std::ranges::copy(row(y << dy), upper.begin());
+        const std::span<const Texel> lower = row((y << dy) + dy);
         for (std::size_t x = 0; x < result.width(); ++x) {
-            const std::size_t i = x << dx, j = y << dy;
-            const RgbF a = image.texel(level, i, j), b = image.texel(level, i + dx, j),
-                       c = image.texel(level, i, j + dy), d = image.texel(level, i + dx, j + dy);
-            result(x, y) = {0.25f * (a.r + b.r + c.r + d.r), 0.25f * (a.g + b.g + c.g + d.g),
-                            0.25f * (a.b + b.b + c.b + d.b)};
+            const std::size_t i = x << dx;
+            result(x, y) = mean(upper[i], upper[i + dx], lower[i], lower[i + dx]);
         }
+    }
     return result;
 }
 
-float alpha_of(const Rgb8&) {
-    return 1.0f;
-}
-float alpha_of(const Rgba8& texel) {
-    return float(texel.a) / 255.0f;
-}
-
-/// Linear light of the 256 codes of sRGB.
-std::array<float, 256> decoded_codes() {
-    std::array<float, 256> linear{};
-    for (std::size_t code = 0; code < 256; ++code)
-        linear[code] = float(srgb_decode(double(code) / 255.0));
-    return linear;
-}
-
-/// The image in linear light, multiplied by its alpha, with sides that are powers of two.
-template <class Pixel>
-Image<RgbF> resampled(const Image<Pixel>& image, ImageWrap wrap) {
-    const std::array<float, 256> linear = decoded_codes();
-    return with_power_of_two_sides(
-        image.width(), image.height(), wrap, [&](std::size_t x, std::size_t y) {
-            const Pixel c = image(x, y);
-            const float alpha = alpha_of(c);
-            return RgbF{alpha * linear[c.r], alpha * linear[c.g], alpha * linear[c.b]};
-        });
+/// The levels above `finest`, or above the image's own codes where that is empty; `keep` takes
+/// them.
+template <class Texel, class Keep>
+void make_levels(const ImageCodes& codes, const Image<Texel>& finest, const Keep& keep) {
+    ImageRows<Texel> rows(codes);
+    const Image<Texel>* last = &finest;
+    std::size_t width = codes.width(), height = codes.height();
+    while (width > 1 || height > 1) {
+        last = &keep(halved<Texel>(width, height, [&](std::size_t y) {
+            return last->width() > 0 ? last->row(y) : std::span<const Texel>(rows(y));
+        }));
+        width = last->width(), height = last->height();
+    }
 }
 
-/// The alpha of an image as greys, with sides that are powers of two.
-Image<RgbF> resampled_alpha(const Image<Rgba8>& image, ImageWrap wrap) {
-    return with_power_of_two_sides(image.width(), image.height(), wrap,
-                                   [&](std::size_t x, std::size_t y) {
-                                       const float alpha = alpha_of(image(x, y));
-                                       return RgbF{alpha, alpha, alpha};
-                                   });
-}
-
-bool has_power_of_two_sides(const auto& image) {
-    return std::has_single_bit(image.width()) && std::has_single_bit(image.height());
-}
-
-bool has_transparent_texel(const Image<Rgba8>& image) {
-    return std::ranges::any_of(image.pixels(), [](const Rgba8& texel) { return texel.a < 255; });
-}
-
-/// Takes the image by value, so that its memory ends with it.
-Image<Rgb8> without_alpha(Image<Rgba8> image) {
-    return converted<Rgb8>(image, [](const Rgba8& c) { return Rgb8{c.r, c.g, c.b}; });
-}
-
-/// Cuts the channels at those of `limits`.
-void cut_at(const Image<RgbF>& limits, Image<RgbF>& image) {
+template <class Texel>
+Image<Texel> all_rows(const ImageCodes& codes) {
+    ImageRows<Texel> rows(codes);
+    auto image = Image<Texel>::unset(codes.width(), codes.height());
     for (std::size_t y = 0; y < image.height(); ++y)
-        for (std::size_t x = 0; x < image.width(); ++x) {
-            RgbF& c = image(x, y);
-            const RgbF& m = limits(x, y);
-            c = {std::min(c.r, m.r), std::min(c.g, m.g), std::min(c.b, m.b)};
-        }
+        std::ranges::copy(rows(y), image.row(y).begin());
+    return image;
 }
 
 /// The blend (1 - w) a + w b.
@@ -213,69 +70,60 @@ ImageSample blend(const ImageSample& a, const ImageSample& b, double w) {
 
 }  // namespace
 
-MipImage::MipImage(Image<Rgb8> image, ImageWrap wrap) : wrap_(wrap) {
-    if (has_power_of_two_sides(image)) {
-        keep_codes(std::move(image));
-    } else {
-        levels_.push_back(resampled(image, wrap));
-        image = {};
+MipImage::MipImage(Image<Rgb8> image, ImageWrap wrap, std::size_t most_kept)
+    : MipImage(std::make_shared<const ImageCodes>(std::move(image), wrap), wrap, most_kept, false) {
+}
+
+MipImage::MipImage(Image<Rgba8> image, ImageWrap wrap, std::size_t most_kept)
+    : MipImage(std::make_shared<const ImageCodes>(std::move(image), wrap), wrap, most_kept, false) {
+}
+
+MipImage::MipImage(std::shared_ptr<const ImageCodes> codes, ImageWrap wrap, std::size_t most_kept,
+                   bool of_alpha)
+    : codes_(std::move(codes)), wrap_(wrap), of_alpha_(of_alpha) {
+    if (codes_->is_resampled() && codes_->width() * codes_->height() <= most_kept) {
+        if (of_alpha_)
+            finest_.alphas = all_rows<float>(*codes_);
+        else
+            finest_.colors = all_rows<RgbF>(*codes_);
     }
-    add_levels();
+    if (!of_alpha_ && !codes_->is_opaque())
+        alpha_.reset(new MipImage(codes_, wrap, most_kept, true));
 }
 
-MipImage::MipImage(Image<Rgba8> image, ImageWrap wrap) : wrap_(wrap) {
-    if (!has_transparent_texel(image)) {
-        *this = MipImage(without_alpha(std::move(image)), wrap);
-    } else if (has_power_of_two_sides(image)) {
-        alpha_.push_back(
-            MipImage(converted<std::uint8_t>(image, [](const Rgba8& c) { return c.a; }), wrap));
-        keep_codes(without_alpha(std::move(image)));
-        add_levels();
-    } else {
-        Image<RgbF> alpha = resampled_alpha(image, wrap);
-        cut_at(Image<RgbF>(alpha.width(), alpha.height(), {1.0f, 1.0f, 1.0f}), alpha);
-        Image<RgbF> colors = resampled(image, wrap);
-        image = {};
-        cut_at(alpha, colors);
-        *this = MipImage(std::move(colors), wrap);
-        alpha_.push_back(MipImage(std::move(alpha), wrap));
-    }
+void MipImage::make_coarser() const {
+    std::vector<Texels> levels;
+    levels.reserve(level_count());
+    if (of_alpha_)
+        make_levels<float>(*codes_, finest_.alphas, [&](Image<float> image) -> Image<float>& {
+            return levels.emplace_back(Texels{{}, std::move(image)}).alphas;
+        });
+    else
+        make_levels<RgbF>(*codes_, finest_.colors, [&](Image<RgbF> image) -> Image<RgbF>& {
+            return levels.emplace_back(Texels{std::move(image), {}}).colors;
+        });
+    coarser_->levels = std::move(levels);
 }
 
-MipImage::MipImage(Image<std::uint8_t> alphas, ImageWrap wrap)
-    : wrap_(wrap), alphas_(std::move(alphas)) {
-    for (std::size_t code = 0; code < 256; ++code) decoded_[code] = float(code) / 255.0f;
-    levels_.emplace_back();
-    add_levels();
+const MipImage::Texels& MipImage::level_texels(std::size_t level) const {
+    if (level == 0) return finest_;
+    std::call_once(coarser_->made, [this] { make_coarser(); });
+    return coarser_->levels[level - 1];
 }
 
-void MipImage::keep_codes(Image<Rgb8> image) {
-    codes_ = std::move(image);
-    decoded_ = decoded_codes();
-    levels_.emplace_back();
-}
-
-MipImage::MipImage(Image<RgbF> finest, ImageWrap wrap) : wrap_(wrap) {
-    levels_.push_back(std::move(finest));
-    add_levels();
-}
-
-void MipImage::add_levels() {
-    while (width(level_count() - 1) > 1 || height(level_count() - 1) > 1)
-        levels_.push_back(halved(*this, level_count() - 1));
-}
-
-Vec3d MipImage::wrapped_texel(std::size_t level, double x, double y) const {
-    const std::ptrdiff_t i = wrapped(x, width(level), wrap_), j = wrapped(y, height(level), wrap_);
+Vec3d MipImage::wrapped_texel(const Level& level, double x, double y) const {
+    const std::ptrdiff_t i = wrapped_index(x, level.width, wrap_),
+                         j = wrapped_index(y, level.height, wrap_);
     if (i < 0 || j < 0) return Vec3d(0.0);
-    const RgbF c = texel(level, std::size_t(i), std::size_t(j));
+    const RgbF c = texel_of(level.texels, std::size_t(i), std::size_t(j));
     return {c.r, c.g, c.b};
 }
 
-ImageSample MipImage::bilinear(std::size_t level, double s, double t) const {
+ImageSample MipImage::bilinear(std::size_t number, double s, double t) const {
+    const Level level = level_of(number);
     if (!(std::abs(s) < farthest && std::abs(t) < farthest))
         return {wrapped_texel(level, 0, 0), {}, {}};
-    const double columns = double(width(level)), rows = double(height(level));
+    const double columns = double(level.width), rows = double(level.height);
     const double x = s * columns - 0.5, y = t * rows - 0.5;
     const double i = std::floor(x), j = std::floor(y), u = x - i, v = y - j;
     const Vec3d a = wrapped_texel(level, i, j), b = wrapped_texel(level, i + 1, j),
@@ -286,10 +134,10 @@ ImageSample MipImage::bilinear(std::size_t level, double s, double t) const {
 }
 
 ImageSample MipImage::trilinear(double s, double t, double width) const {
-    const double last = double(levels_.size() - 1);
+    const double last = double(level_count() - 1);
     const double level = width > 0.0 ? last + binary_log(width) : -1.0;
     if (!(level > 0.0)) return bilinear(0, s, t);
-    if (level >= last) return {wrapped_texel(levels_.size() - 1, 0, 0), {}, {}};
+    if (level >= last) return {wrapped_texel(level_of(level_count() - 1), 0, 0), {}, {}};
     const double below = std::floor(level);
     return blend(bilinear(std::size_t(below), s, t), bilinear(std::size_t(below) + 1, s, t),
                  level - below);
@@ -299,25 +147,26 @@ ImageSample MipImage::ewa(double s, double t, Vec2d first, Vec2d second, double 
     if (glm::dot(first, first) < glm::dot(second, second)) std::swap(first, second);
     const double longer = glm::length(first);
     double shorter = glm::length(second);
-    if (!(longer < farthest)) return {wrapped_texel(levels_.size() - 1, 0, 0), {}, {}};
+    if (!(longer < farthest)) return {wrapped_texel(level_of(level_count() - 1), 0, 0), {}, {}};
     if (shorter * anisotropy < longer && shorter > 0.0) {
         second *= longer / (shorter * anisotropy);
         shorter = longer / anisotropy;
     }
     if (!(shorter > 0.0)) return trilinear(s, t, longer / anisotropy);
-    const double last = double(levels_.size() - 1);
+    const double last = double(level_count() - 1);
     const double level = std::max(0.0, last + binary_log(shorter));
-    if (level >= last) return {wrapped_texel(levels_.size() - 1, 0, 0), {}, {}};
+    if (level >= last) return {wrapped_texel(level_of(level_count() - 1), 0, 0), {}, {}};
     const double below = std::floor(level);
     return blend(ellipse(std::size_t(below), s, t, first, second),
                  ellipse(std::size_t(below) + 1, s, t, first, second), level - below);
 }
 
-ImageSample MipImage::ellipse(std::size_t level, double s, double t, const Vec2d& first,
+ImageSample MipImage::ellipse(std::size_t number, double s, double t, const Vec2d& first,
                               const Vec2d& second) const {
+    const Level level = level_of(number);
     if (!(std::abs(s) < farthest && std::abs(t) < farthest))
         return {wrapped_texel(level, 0, 0), {}, {}};
-    const Vec2d size(double(width(level)), double(height(level)));
+    const Vec2d size(double(level.width), double(level.height));
     const double x = s * size.x - 0.5, y = t * size.y - 0.5;
     const Vec2d p = first * size, q = second * size;
     // r^2 = a dx^2 + b dx dy + c dy^2, which is 1 on the ellipse of the two steps, one texel wider.

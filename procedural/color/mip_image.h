@@ -3,19 +3,24 @@
 // by an elliptically weighted average (Heckbert 1989), as in pbrt's image texture (Chuang's slides
 // of 2008). Look-ups are in float64 from float texels, with derivatives.
 //
-// The finest level of an image whose sides are powers of two is its 8-bit codes, decoded at every
-// look-up: floats would have the same values and be four times as large, 7 bytes a texel with all
-// levels in place of 16, or 12 in place of 32 where the image is transparent.
-#include <array>
+// Levels are made when a lookup first needs one coarser than the finest, which a texture that is
+// not filtered never does. The finest level is the image's 8-bit codes, decoded at every look-up:
+// floats would have the same values and be three or four times as large. Only an image that is
+// resampled has it as floats, up to 2^25 texels; a larger one is resampled at every look-up, with
+// the same values. With all levels a texel takes 7 bytes, or 10 where the image is transparent, and
+// 16 or 21 where it is kept as floats.
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "atlas/base/image.h"
 #include "atlas/base/vec.h"
+#include "procedural/color/image_rows.h"
 
 namespace burl {
-
-/// The colours outside [0, 1]^2; `black` is transparent there if the image is somewhere.
-enum class ImageWrap { repeat, black, clamp };
 
 /// Linear light, multiplied by alpha, and its derivatives by s and t. An image spans [0, 1]^2, row
 /// 0 from t = 0 on.
@@ -23,44 +28,32 @@ struct ImageSample {
     Vec3d color{0.0}, by_s{0.0}, by_t{0.0};
 };
 
-/// The MIP map of an image.
+/// Number of texels up to which the finest level of a resampled image is kept as floats.
+inline constexpr std::size_t most_kept_texels = std::size_t{1} << 25;
+
+/// The MIP map of an image, or of its alpha.
 class MipImage {
   public:
-    /// Makes the levels of an image, which must not be empty. A side that is no power of two is
-    /// resampled to the next one with Lanczos's filter (4 points, never below 0); every further
-    /// level is the mean of 2 x 2 texels.
-    MipImage(Image<Rgb8> image, ImageWrap wrap);
-    /// Makes the levels of an image's colours times alpha, and those of alpha if a texel is
-    /// transparent. What resampling overshoots is cut: alpha at 1, colours at alpha.
-    MipImage(Image<Rgba8> image, ImageWrap wrap);
+    /// Takes an image, which must not be empty. A resampled finest level of at most `most_kept`
+    /// texels is kept as floats. Every further level is the mean of 2 x 2 texels of the one before.
+    MipImage(Image<Rgb8> image, ImageWrap wrap, std::size_t most_kept = most_kept_texels);
+    /// Takes an image whose colours count times alpha, and its alpha if a texel is transparent.
+    MipImage(Image<Rgba8> image, ImageWrap wrap, std::size_t most_kept = most_kept_texels);
 
     /// The map whose red, green and blue are all the image's alpha; null for an opaque image.
-    const MipImage* alpha() const { return alpha_.empty() ? nullptr : &alpha_.front(); }
+    const MipImage* alpha() const { return alpha_.get(); }
 
     ImageWrap wrap() const { return wrap_; }
-    std::size_t level_count() const { return levels_.size(); }
+    std::size_t level_count() const { return std::bit_width(std::max(width(0), height(0))); }
     std::size_t width(std::size_t level) const {
-        return level > 0 || !has_codes() ? levels_[level].width()
-               : codes_.width() > 0      ? codes_.width()
-                                         : alphas_.width();
+        return std::max<std::size_t>(codes_->width() >> level, 1);
     }
     std::size_t height(std::size_t level) const {
-        return level > 0 || !has_codes() ? levels_[level].height()
-               : codes_.width() > 0      ? codes_.height()
-                                         : alphas_.height();
+        return std::max<std::size_t>(codes_->height() >> level, 1);
     }
     /// The texel of a level, 0 <= x < width(level), 0 <= y < height(level).
     RgbF texel(std::size_t level, std::size_t x, std::size_t y) const {
-        if (level > 0 || !has_codes()) return levels_[level](x, y);
-        if (codes_.width() == 0) {
-            const float a = decoded_[alphas_(x, y)];
-            return {a, a, a};
-        }
-        const Rgb8 code = codes_(x, y);
-        const RgbF c{decoded_[code.r], decoded_[code.g], decoded_[code.b]};
-        if (alpha_.empty()) return c;
-        const float a = alpha_.front().texel(0, x, y).r;
-        return {a * c.r, a * c.g, a * c.b};
+        return texel_of(level_texels(level), x, y);
     }
 
     /// Bilinear interpolation within a level.
@@ -75,25 +68,52 @@ class MipImage {
     /// times unequal, so that its texels stay few.
     ImageSample ewa(double s, double t, Vec2d first, Vec2d second, double anisotropy) const;
 
-    bool operator==(const MipImage&) const = default;
+    /// Whether the two are maps of the same image in the same wrap.
+    bool operator==(const MipImage& other) const {
+        return wrap_ == other.wrap_ && of_alpha_ == other.of_alpha_ && *codes_ == *other.codes_;
+    }
 
   private:
-    MipImage(Image<RgbF> finest, ImageWrap wrap);
-    /// The map of an alpha whose sides are powers of two.
-    MipImage(Image<std::uint8_t> alphas, ImageWrap wrap);
-    bool has_codes() const { return levels_.front().width() == 0; }
-    void keep_codes(Image<Rgb8> image);
-    void add_levels();
-    Vec3d wrapped_texel(std::size_t level, double x, double y) const;
+    /// The texels of a level: colours, or alphas, or none where they come from the codes.
+    struct Texels {
+        Image<RgbF> colors{};
+        Image<float> alphas{};
+    };
+    /// The levels from the second on, made once, by the thread that needs them first.
+    struct Coarser {
+        std::once_flag made;
+        std::vector<Texels> levels;
+    };
+    /// A level that is looked up.
+    struct Level {
+        const Texels& texels;
+        std::size_t width, height;
+    };
+
+    MipImage(std::shared_ptr<const ImageCodes> codes, ImageWrap wrap, std::size_t most_kept,
+             bool of_alpha);
+    void make_coarser() const;
+    const Texels& level_texels(std::size_t level) const;
+    Level level_of(std::size_t level) const {
+        return {level_texels(level), width(level), height(level)};
+    }
+    RgbF texel_of(const Texels& texels, std::size_t x, std::size_t y) const {
+        if (texels.colors.width() > 0) return texels.colors(x, y);
+        if (texels.alphas.width() == 0 && !of_alpha_) return codes_->texel<RgbF>(x, y);
+        const float a =
+            texels.alphas.width() > 0 ? texels.alphas(x, y) : codes_->texel<float>(x, y);
+        return {a, a, a};
+    }
+    Vec3d wrapped_texel(const Level& level, double x, double y) const;
     ImageSample ellipse(std::size_t level, double s, double t, const Vec2d& first,
                         const Vec2d& second) const;
 
+    std::shared_ptr<const ImageCodes> codes_;
     ImageWrap wrap_;
-    Image<Rgb8> codes_{};               ///< level 0 of a colours' map that needs no floats
-    Image<std::uint8_t> alphas_{};      ///< level 0 of an alpha's map that needs none
-    std::array<float, 256> decoded_{};  ///< linear light of each of the codes, or its alpha
-    std::vector<Image<RgbF>> levels_;   ///< the first is empty where there are codes
-    std::vector<MipImage> alpha_;       ///< one map of an image that is transparent, else none
+    bool of_alpha_ = false;
+    Texels finest_{};
+    std::unique_ptr<Coarser> coarser_ = std::make_unique<Coarser>();
+    std::unique_ptr<const MipImage> alpha_{};
 };
 
 }  // namespace burl

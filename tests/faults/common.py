@@ -1,5 +1,5 @@
 """What the tests of faults share: running burl with the library of faults, and judging what it leaves."""
-import errno, hashlib, os, pathlib, re, shutil, signal, subprocess, sys
+import errno, hashlib, os, pathlib, re, shutil, signal, struct, subprocess, sys, zlib
 
 sys.dont_write_bytecode = True
 TIME_LIMIT = 120  # seconds after which a run has hung
@@ -99,15 +99,26 @@ def problem(outcome, found, old, new, codes):
     return sentence_problem(outcome.err)
 
 
+def png(width, height, kind, depth=8):
+    """A picture of one colour; kind is PNG's type of colour."""
+    def chunk(name, data): return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+    row = b"\0" + b"\x7f" * (width * {0: 1, 2: 3, 3: 1, 6: 4}[kind] * depth // 8)
+    packer = zlib.compressobj(9)
+    pixels = b"".join(packer.compress(row) for _ in range(height)) + packer.flush()
+    palette = chunk(b"PLTE", b"\x10\x20\x30" * 256) if kind == 3 else b""
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, depth, kind, 0, 0, 0)) + palette + chunk(b"IDAT", pixels) \
+        + chunk(b"IEND", b"")
+
+
 class Stage:
     """An output folder that holds an old bake before every run, and the new bake that it should become."""
 
-    def __init__(self, burl, name, words, out):
-        self.burl, self.place = burl, burl.folder / name
+    def __init__(self, burl, name, words, out, recipe="marble"):
+        self.burl, self.place, self.recipe = burl, burl.folder / name, recipe
         self.out, self.kept = self.place / "out", self.place / "kept"
         self.kept.mkdir(parents=True)
         self.words = ["bake", *words, "--quiet", "-o", f"out/{out}"]
-        self.new = self.made("marble")
+        self.new = self.made(recipe)
         self.old = self.made("wood")
         for path, data in self.old.items(): (self.kept / path).write_bytes(data)
 
@@ -128,12 +139,12 @@ class Stage:
         """The problem of a bake of the new recipe with these faults, over the old output."""
         codes = faults.pop("codes", (2, 4))
         self.reset()
-        outcome = self.burl.run([*self.words, "--recipe", "marble"], self.place, **faults)
+        outcome = self.burl.run([*self.words, "--recipe", self.recipe], self.place, **faults)
         return problem(outcome, contents(self.out), self.old, self.new, codes), outcome
 
     def count(self, calls):
         self.reset()
-        return self.burl.count([*self.words, "--recipe", "marble"], calls, self.place)
+        return self.burl.count([*self.words, "--recipe", self.recipe], calls, self.place)
 
 
 class Report:

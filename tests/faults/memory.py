@@ -4,7 +4,7 @@ Every allocation of a small bake is the last one that succeeds, or fails alone; 
 bakes, and allocations of bakes on four threads. Unless BURL_ALL_FAULTS is set, about 150 of the first, and fewer formats."""
 import os, signal, sys
 
-from common import EVERY, GLIBC_FALLS, Burl, Outcome, Report, Stage, contents, problem
+from common import EVERY, GLIBC_FALLS, Burl, Outcome, Report, Stage, contents, png, problem
 
 SMALL = ["sample:cube", "--size", "16", "--threads", "1"]
 LARGE = ["sample:teapot", "--size", "128", "--threads", "1"]
@@ -40,6 +40,18 @@ def large_blocks(burl, report, ending):
             report.add(f"{ending}: {action} at large block {number}", wrong)
 
 
+def image_levels(burl, report):
+    """Tries every block of 64 KiB and more of a filtered image, whose levels the first thread that needs them makes."""
+    (burl.folder / "picture.png").write_bytes(png(300, 200, 6))
+    recipe = burl.folder / "image.burl.json"
+    recipe.write_text('{"burl": 1, "texture": {"node": "image", "file": "picture.png"}}')
+    stage = Stage(burl, "image", ["sample:cube", "--size", "64", "--threads", "4", "--filter", "trapezoid"], "x.glb", str(recipe))
+    for number in range(1, stage.count("large") + 1):
+        for action in ("fail", "fail-on"):
+            wrong, _ = stage.run(calls="large", at=number, action=action, codes=(4,))
+            report.add(f"image: {action} at large block {number}", wrong)
+
+
 def on_threads(burl, report, tries):
     """Bakes on four threads, each with a number of its own, since forks need one thread; numbers are not the same in every run."""
     stage = Stage(burl, "threads", ["sample:teapot", "--size", "128", "--threads", "4", "--levels", "all"], "x.glb")
@@ -60,6 +72,7 @@ def main():
     every_one(burl, report, "fail-on", 1 if EVERY else count // 150)
     every_one(burl, report, "fail", 1 if EVERY else count // 50)
     for ending in FORMATS if EVERY else ["glb"]: large_blocks(burl, report, ending)
+    image_levels(burl, report)
     on_threads(burl, report, 600 if EVERY else 9)
     return report.end("memory")
 

@@ -2,9 +2,9 @@
 """Small files that ask for much: small.py BURL LIBRARY FOLDER
 Each holds one thing many times in at most 1.3 MB. It is refused or baked at --size 16 within SECONDS of processor time and MEBIBYTES of
 memory, or within what its own row allows, which docs/reference/limits.md gives."""
-import base64, json, math, os, random, struct, subprocess, sys, threading, zlib
+import base64, json, math, os, random, struct, subprocess, sys, threading
 
-from common import EVERY, Burl, Report, sentence_problem
+from common import EVERY, Burl, Report, png, sentence_problem
 
 SECONDS, MEBIBYTES = 2.0, 1024
 CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
@@ -97,17 +97,6 @@ def gltf_cases():
     yield Case("large-instances.gltf", gltf(count, circle, fan, nodes=[{"mesh": 0}] * 200), unshared, seconds=60, mebibytes=3000)
 
 
-def png(width, height, kind, depth=8):
-    """A picture of one colour; kind is PNG's type of colour."""
-    def chunk(name, data): return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-    row = b"\0" + b"\x7f" * (width * {0: 1, 2: 3, 3: 1, 6: 4}[kind] * depth // 8)
-    packer = zlib.compressobj(9)
-    pixels = b"".join(packer.compress(row) for _ in range(height)) + packer.flush()
-    palette = chunk(b"PLTE", b"\x10\x20\x30" * 256) if kind == 3 else b""
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, depth, kind, 0, 0, 0)) + palette + chunk(b"IDAT", pixels) \
-        + chunk(b"IEND", b"")
-
-
 def tree(depth, leaf):
     return leaf() if depth == 0 else {"node": "add", "a": tree(depth - 1, leaf), "b": tree(depth - 1, leaf)}
 
@@ -144,16 +133,21 @@ def recipe_cases():
 
 def image_cases():
     bake = "bake sample:cube --recipe {} --size 16 -o out.png"
-    def image(name, *picture, **more):
+    def image(name, *picture, command=bake, **more):
         data = png(*picture)
-        return Case(name + ".burl.json", json.dumps({"burl": 1, "texture": {"node": "image", "file": name + ".png"}}), bake,
+        return Case(name + ".burl.json", json.dumps({"burl": 1, "texture": {"node": "image", "file": name + ".png"}}), command,
                     beside=[(name + ".png", data)], **more)
     yield image("rgb", 8192, 8192, 2)
     yield image("palette", 8192, 8192, 3)
     yield image("rgb16", 8192, 8192, 2, 16)
     yield image("transparent", 8192, 8192, 6)
-    yield image("odd", 8191, 8191, 0, mebibytes=1100)
-    yield image("odd-transparent", 8191, 8191, 6, seconds=6, mebibytes=2600)
+    yield image("odd", 8191, 8191, 0)
+    yield image("odd-transparent", 8191, 8191, 6, often=True)
+    filtered = bake + " --filter trapezoid"
+    yield image("rgb-filtered", 8192, 8192, 2, command=filtered)
+    yield image("transparent-filtered", 8192, 8192, 6, command=filtered)
+    yield image("odd-filtered", 8191, 8191, 2, command=filtered)
+    yield image("odd-transparent-filtered", 8191, 8191, 6, command=filtered, seconds=3)
     yield Case("render.obj", "mtllib render.mtl\n" + CORNERS + "vt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n",
                "render {} --size 16x16 -o out.png", seconds=12, mebibytes=2048,
                beside=[("render.mtl", b"newmtl a\nmap_Kd render.png\n"), ("render.png", png(16384, 16384, 0))])

@@ -1,7 +1,10 @@
 #include "procedural/color/mip_image.h"
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +28,14 @@ Vec3d linear(const Rgb8& c) {
 
 double mip_image_distance(const Vec3d& a, const Vec3d& b) {
     return glm::length(a - b);
+}
+
+void expect_same_texels(const MipImage& a, const MipImage& b) {
+    ASSERT_EQ(a.level_count(), b.level_count());
+    for (std::size_t level = 0; level < a.level_count(); ++level)
+        for (std::size_t y = 0; y < a.height(level); ++y)
+            for (std::size_t x = 0; x < a.width(level); ++x)
+                EXPECT_EQ(a.texel(level, x, y), b.texel(level, x, y)) << level << " " << x;
 }
 
 TEST(MipImage, LevelsAreMeans) {
@@ -62,6 +73,34 @@ TEST(MipImage, OtherSidesAreResampled) {
         const double value = 0.5 + 0.4 * std::sin(2 * 3.14159265358979 * (double(x) + 0.5) / 64);
         EXPECT_NEAR(double(resampled.texel(0, x, 0).r), value, 0.012) << x;
     }
+}
+
+TEST(MipImage, TexelsResampledWhenTheyAreLookedUpAreThoseKept) {
+    Image<Rgba8> torn(13, 7);
+    std::mt19937 random(4);
+    for (std::size_t y = 0; y < 7; ++y)
+        for (Rgba8& c : torn.row(y))
+            c = {std::uint8_t(random()), std::uint8_t(random()), std::uint8_t(random()),
+                 std::uint8_t(random() % 3 * 127)};
+    for (const ImageWrap wrap : {ImageWrap::repeat, ImageWrap::black, ImageWrap::clamp}) {
+        for (const auto& [width, height] : {std::pair{13u, 7u}, {16u, 5u}, {5u, 16u}}) {
+            const Image<Rgb8> opaque = random_image(width, height, 5);
+            expect_same_texels(MipImage(opaque, wrap), MipImage(opaque, wrap, 0));
+        }
+        const MipImage kept(torn, wrap), looked_up(torn, wrap, 0);
+        expect_same_texels(kept, looked_up);
+        expect_same_texels(*kept.alpha(), *looked_up.alpha());
+    }
+}
+
+TEST(MipImage, ManyThreadsMayNeedTheLevelsFirst) {
+    const MipImage image(random_image(200, 100, 6), ImageWrap::repeat);
+    std::array<RgbF, 8> tops{};
+    std::vector<std::jthread> threads;
+    for (RgbF& top : tops) threads.emplace_back([&] { top = image.texel(8, 0, 0); });
+    threads.clear();
+    EXPECT_GT(tops[0].r, 0.1f);
+    for (const RgbF& top : tops) EXPECT_EQ(top, tops[0]);
 }
 
 TEST(MipImage, TexelCentresAreExactAndWrapsDiffer) {
