@@ -63,6 +63,22 @@ auto mixed(const LanczosTaps& taps, const TexelAt& texel_at) {
     return not_below_0(sum);
 }
 
+template <class Texels>
+auto channels(Texels& row) {
+    using Float = std::conditional_t<std::is_const_v<Texels>, const float, float>;
+    return reinterpret_cast<Float*>(row.data());
+}
+
+/// Mixes `count` numbers of each of four rows, as mixed() does.
+void mix_rows(const std::array<double, 4>& weight, const std::array<const float*, 4>& rows,
+              std::size_t count, float* to) {
+    for (std::size_t i = 0; i < count; ++i) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < 4; ++k) sum += weight[k] * double(rows[k][i]);
+        to[i] = not_below_0(sum);
+    }
+}
+
 float cut_at(float limit, float texel) {
     return std::min(texel, limit);
 }
@@ -105,21 +121,30 @@ void ImageCodes::set_sides(std::size_t columns, std::size_t rows, ImageWrap wrap
     rows_ = lanczos_taps(rows, height_, wrap);
 }
 
-template <>
-float ImageCodes::decoded<float>(std::size_t x, std::size_t y) const {
-    return is_opaque() ? 1.0f : float(transparent_(x, y).a) / 255.0f;
+template <class Texel>
+Texel ImageCodes::decoded(const Rgb8& c) const {
+    if constexpr (std::is_same_v<Texel, float>)
+        return 1.0f;
+    else
+        return {linear_[c.r], linear_[c.g], linear_[c.b]};
 }
 
-template <>
-RgbF ImageCodes::decoded<RgbF>(std::size_t x, std::size_t y) const {
-    if (is_opaque()) {
-        const Rgb8 c = opaque_(x, y);
-        return {linear_[c.r], linear_[c.g], linear_[c.b]};
-    }
-    const Rgba8 c = transparent_(x, y);
+template <class Texel>
+Texel ImageCodes::decoded(const Rgba8& c) const {
     const float alpha = float(c.a) / 255.0f;
-    return {alpha * linear_[c.r], alpha * linear_[c.g], alpha * linear_[c.b]};
+    if constexpr (std::is_same_v<Texel, float>)
+        return alpha;
+    else
+        return {alpha * linear_[c.r], alpha * linear_[c.g], alpha * linear_[c.b]};
 }
+
+template <class Texel>
+Texel ImageCodes::decoded(std::size_t x, std::size_t y) const {
+    return is_opaque() ? decoded<Texel>(opaque_(x, y)) : decoded<Texel>(transparent_(x, y));
+}
+
+template RgbF ImageCodes::decoded<RgbF>(std::size_t, std::size_t) const;
+template float ImageCodes::decoded<float>(std::size_t, std::size_t) const;
 
 template <class Texel>
 Texel ImageCodes::resampled(std::size_t x, std::size_t y) const {
@@ -139,7 +164,8 @@ template <class Texel>
 ImageRows<Texel>::ImageRows(const ImageCodes& codes)
     : codes_(codes),
       decoded_(std::max(codes.opaque_.width(), codes.transparent_.width())),
-      row_(codes.width()) {
+      row_(codes.width()),
+      black_(codes.width()) {
     for (Row& row : wide_) row.texels.resize(codes.width());
     if (!std::is_same_v<Texel, float> && codes.is_resampled() && !codes.is_opaque())
         limits_ = std::make_unique<ImageRows<float>>(codes);
@@ -149,7 +175,11 @@ template <class Texel>
 void ImageRows<Texel>::fill(Row& row, std::size_t y) {
     row.y = std::ptrdiff_t(y);
     std::vector<Texel>& decoded = codes_.columns_.empty() ? row.texels : decoded_;
-    for (std::size_t x = 0; x < decoded.size(); ++x) decoded[x] = codes_.decoded<Texel>(x, y);
+    const auto decode = [&](const auto& code) { return codes_.template decoded<Texel>(code); };
+    if (codes_.is_opaque())
+        std::ranges::transform(codes_.opaque_.row(y), decoded.begin(), decode);
+    else
+        std::ranges::transform(codes_.transparent_.row(y), decoded.begin(), decode);
     for (std::size_t x = 0; x < codes_.columns_.size(); ++x)
         row.texels[x] = mixed(codes_.columns_[x], [&](std::size_t k) { return decoded[k]; });
 }
@@ -169,15 +199,11 @@ const std::vector<Texel>& ImageRows<Texel>::operator()(std::size_t y) {
     if (codes_.rows_.empty()) {
         row_ = wide_row(y);
     } else {
-        LanczosTaps column = codes_.rows_[y];
-        std::array<const Texel*, 4> four{};
-        for (std::size_t k = 0; k < 4; ++k) {
-            if (column.index[k] < 0) continue;
-            four[k] = wide_row(std::size_t(column.index[k])).data();
-            column.index[k] = std::ptrdiff_t(k);
-        }
-        for (std::size_t x = 0; x < row_.size(); ++x)
-            row_[x] = mixed(column, [&](std::size_t k) { return four[k][x]; });
+        const LanczosTaps& taps = codes_.rows_[y];
+        std::array<const float*, 4> four{};
+        for (std::size_t k = 0; k < 4; ++k)
+            four[k] = channels(taps.index[k] < 0 ? black_ : wide_row(std::size_t(taps.index[k])));
+        mix_rows(taps.weight, four, sizeof(Texel) / sizeof(float) * row_.size(), channels(row_));
     }
     if (std::is_same_v<Texel, float>)
         for (Texel& texel : row_) texel = cut_at(1.0f, texel);

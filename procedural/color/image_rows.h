@@ -55,6 +55,10 @@ class ImageCodes {
     template <class Texel>
     friend class ImageRows;
     template <class Texel>
+    Texel decoded(const Rgb8& code) const;
+    template <class Texel>
+    Texel decoded(const Rgba8& code) const;
+    template <class Texel>
     Texel decoded(std::size_t x, std::size_t y) const;
     template <class Texel>
     Texel resampled(std::size_t x, std::size_t y) const;
@@ -86,6 +90,7 @@ class ImageRows {
 
     const ImageCodes& codes_;
     std::vector<Texel> decoded_, row_;
+    const std::vector<Texel> black_;
     std::array<Row, 5> wide_;                   ///< the one asked for last at the end
     std::unique_ptr<ImageRows<float>> limits_;  ///< alphas of colours that may overshoot them
 };
