@@ -863,7 +863,7 @@ def principled_of(name, files, settings, transparent, save_beside):
     material = bpy.data.materials.new(name)
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
-    surface = nodes["Principled BSDF"]
+    surface = next(node for node in nodes if node.bl_idname == "ShaderNodeBsdfPrincipled")  # its name depends on the language
     uv = nodes.new("ShaderNodeUVMap")
     uv.uv_map = LAYER
     uv.location = (-900, 0)
@@ -897,8 +897,9 @@ def principled_of(name, files, settings, transparent, save_beside):
     surface.inputs["Emission Strength"].default_value = settings.get("emissive_strength", 1.0)
     if "emissive" in files:
         links.new(image_node("emissive", True).outputs["Color"], input_of(surface, "Emission"))
-    elif isinstance(emissive, str) and emissive.startswith("#"):
-        input_of(surface, "Emission").default_value = (*linear_of(emissive), 1)
+    else:  # Blender 4's new materials have a white one
+        light = linear_of(emissive) if isinstance(emissive, str) and emissive.startswith("#") else (0, 0, 0)
+        input_of(surface, "Emission").default_value = (*light, 1)
     if "normal" in files:
         bend = nodes.new("ShaderNodeNormalMap")
         bend.uv_map = LAYER
