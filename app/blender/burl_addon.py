@@ -750,8 +750,6 @@ def apply_atlas(mesh, path, y_up):
     if LAYER in mesh.uv_layers:
         mesh.uv_layers.remove(mesh.uv_layers[LAYER])
     layer = mesh.uv_layers.new(name=LAYER, do_init=False)
-    if layer is None:
-        raise BurlError("The mesh has eight UV layers already; remove one.")
     whole = ends - begins == 1
     corners = places[faces[begins[whole], :, 1]]
     uvs = numpy.zeros((len(mesh.loops), 2), numpy.float32)
@@ -924,6 +922,8 @@ class Bake:
     def __init__(self, folder, thing, recipe_arguments, size, y_up, name, uv_layer):
         if not thing.data.polygons:
             raise BurlError(f"\"{thing.name}\" has no faces.")
+        if len(thing.data.uv_layers) == 8 and LAYER not in thing.data.uv_layers:
+            raise BurlError(f"\"{thing.name}\" has eight UV layers already; remove one.")
         self.folder, self.thing, self.y_up, self.name = tempfile.mkdtemp(dir=folder), thing, y_up, name
         self.stem = bpy.path.clean_name(f"{thing.name} {name}")
         write_obj(thing.data, self.path("mesh.obj"), y_up, uv_layer)

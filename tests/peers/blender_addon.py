@@ -411,6 +411,24 @@ def check_shared():
     raise AssertionError("a shared mesh was carved twice")
 
 
+def check_eight_layers():
+    """Of two meshes one has no room for another UV layer: neither changes."""
+    first, full = suzanne(), bpy.data.meshes.new("full")
+    full.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [], [(0, 1, 2)])
+    for i in range(8):
+        full.uv_layers.new(name=f"layer {i}")
+    second = bpy.data.objects.new("full", full)
+    bpy.context.scene.collection.objects.link(second)
+    second.select_set(True)
+    try:
+        bpy.ops.burl.carve()
+    except RuntimeError as error:
+        assert "eight UV layers" in str(error), error
+        assert "Burl" not in first.data.uv_layers and not first.data.materials, "the other mesh was carved"
+        return
+    raise AssertionError("a mesh has nine UV layers")
+
+
 def check_language():
     """In a Blender whose interface is French new nodes have French names."""
     view = bpy.context.preferences.view
@@ -494,6 +512,7 @@ def main():
     check_carve()
     check_refusal()
     check_shared()
+    check_eight_layers()
     check_language()
     check_no_light()
     scene = bpy.context.scene
