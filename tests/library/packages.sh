@@ -46,7 +46,7 @@ as_user burl bake sample:teapot --recipe oak --size 512 -o /home/user/teapot.glb
 ((SECONDS <= 30)) || fail "burl bake took $SECONDS s"
 as_user burl --version | grep -q "^burl [0-9]" || fail "burl --version says nothing"
 for file in man/man1/burl.1.gz man/man1/burl-bake.1.gz bash-completion/completions/burl mime/packages/burl.xml \
-    applications/burl-edit.desktop; do
+    applications/burl-edit.desktop burl/burl_addon.py burl/burl-array.sh; do
     # A small Debian leaves manual pages out.
     [[ -e $root/usr/share/$file ]] || dpkg-deb -c "$packages/$program" | grep -q "/$file\$" || fail "there is no $file"
 done
