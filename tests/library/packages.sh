@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 skip() { printf 'skipped: %s\n' "$*"; exit 77; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }
 [[ $(id -u) == 0 ]] || skip "chroot is root's"
-for tool in debootstrap dpkg-shlibdeps lintian cpack; do
+for tool in debootstrap dpkg-shlibdeps file lintian cpack; do
     command -v $tool >/dev/null || skip "$tool is absent"
 done
 
