@@ -15,10 +15,15 @@ done
 base=$folder/base root=$folder/root packages=$folder/packages
 rm -rf "$root" "$packages"
 mkdir -p "$folder"
-(cd "$build" && cpack -B "$packages" >"$folder/cpack.log" 2>&1) || fail "cpack: $(tail -5 "$folder/cpack.log")"
+# The packages are for all users, whatever the umask of who makes them.
+(umask 077 && cd "$build" && cpack -B "$packages" >"$folder/cpack.log" 2>&1) || fail "cpack: $(tail -5 "$folder/cpack.log")"
 rm -rf "$packages/_CPack_Packages"
 for name in burl burl-doc libburl0 libburl-dev; do
     compgen -G "$packages/${name}_*.deb" >/dev/null || fail "cpack made no package $name"
+done
+for package in "$packages"/*.deb; do
+    private=$(dpkg-deb -c "$package" | grep -Ev '^(.rw.r-.r-.|lrwxrwxrwx)') || continue
+    fail "not for all users: $private"
 done
 lintian --allow-root --fail-on error "$packages"/*.deb || fail "lintian has errors"
 
