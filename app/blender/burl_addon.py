@@ -750,8 +750,6 @@ def apply_atlas(mesh, path, y_up):
     if LAYER in mesh.uv_layers:
         mesh.uv_layers.remove(mesh.uv_layers[LAYER])
     layer = mesh.uv_layers.new(name=LAYER, do_init=False)
-    if layer is None:
-        raise BurlError("The mesh has eight UV layers already; remove one.")
     whole = ends - begins == 1
     corners = places[faces[begins[whole], :, 1]]
     uvs = numpy.zeros((len(mesh.loops), 2), numpy.float32)
@@ -863,7 +861,7 @@ def principled_of(name, files, settings, transparent, save_beside):
     material = bpy.data.materials.new(name)
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
-    surface = nodes["Principled BSDF"]
+    surface = next(node for node in nodes if node.bl_idname == "ShaderNodeBsdfPrincipled")  # its name depends on the language
     uv = nodes.new("ShaderNodeUVMap")
     uv.uv_map = LAYER
     uv.location = (-900, 0)
@@ -897,8 +895,9 @@ def principled_of(name, files, settings, transparent, save_beside):
     surface.inputs["Emission Strength"].default_value = settings.get("emissive_strength", 1.0)
     if "emissive" in files:
         links.new(image_node("emissive", True).outputs["Color"], input_of(surface, "Emission"))
-    elif isinstance(emissive, str) and emissive.startswith("#"):
-        input_of(surface, "Emission").default_value = (*linear_of(emissive), 1)
+    else:  # Blender 4's new materials have a white one
+        light = linear_of(emissive) if isinstance(emissive, str) and emissive.startswith("#") else (0, 0, 0)
+        input_of(surface, "Emission").default_value = (*light, 1)
     if "normal" in files:
         bend = nodes.new("ShaderNodeNormalMap")
         bend.uv_map = LAYER
@@ -923,6 +922,8 @@ class Bake:
     def __init__(self, folder, thing, recipe_arguments, size, y_up, name, uv_layer):
         if not thing.data.polygons:
             raise BurlError(f"\"{thing.name}\" has no faces.")
+        if len(thing.data.uv_layers) == 8 and LAYER not in thing.data.uv_layers:
+            raise BurlError(f"\"{thing.name}\" has eight UV layers already; remove one.")
         self.folder, self.thing, self.y_up, self.name = tempfile.mkdtemp(dir=folder), thing, y_up, name
         self.stem = bpy.path.clean_name(f"{thing.name} {name}")
         write_obj(thing.data, self.path("mesh.obj"), y_up, uv_layer)

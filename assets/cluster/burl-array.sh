@@ -11,5 +11,10 @@ if [ $# -eq 0 ]; then
     echo "usage: sbatch --array=1-N burl-array.sh MANIFEST.json [options of burl batch]" >&2
     exit 1
 fi
-exec burl batch "$@" --shard "$((SLURM_ARRAY_TASK_ID - SLURM_ARRAY_TASK_MIN + 1))/$SLURM_ARRAY_TASK_COUNT" \
+count=$SLURM_ARRAY_TASK_COUNT
+if [ $((SLURM_ARRAY_TASK_MAX - SLURM_ARRAY_TASK_MIN + 1)) -ne "$count" ]; then
+    echo "burl-array.sh: every number of an array is a part, so none may be left out: sbatch --array=1-$count" >&2
+    exit 1
+fi
+exec burl batch "$@" --shard "$((SLURM_ARRAY_TASK_ID - SLURM_ARRAY_TASK_MIN + 1))/$count" \
     --jobs "${SLURM_CPUS_PER_TASK:-1}" --progress none

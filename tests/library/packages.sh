@@ -8,17 +8,22 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 skip() { printf 'skipped: %s\n' "$*"; exit 77; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }
 [[ $(id -u) == 0 ]] || skip "chroot is root's"
-for tool in debootstrap dpkg-shlibdeps lintian cpack; do
+for tool in debootstrap dpkg-shlibdeps file lintian cpack; do
     command -v $tool >/dev/null || skip "$tool is absent"
 done
 
 base=$folder/base root=$folder/root packages=$folder/packages
 rm -rf "$root" "$packages"
 mkdir -p "$folder"
-(cd "$build" && cpack -B "$packages" >"$folder/cpack.log" 2>&1) || fail "cpack: $(tail -5 "$folder/cpack.log")"
+# The packages are for all users, whatever the umask of who makes them.
+(umask 077 && cd "$build" && cpack -B "$packages" >"$folder/cpack.log" 2>&1) || fail "cpack: $(tail -5 "$folder/cpack.log")"
 rm -rf "$packages/_CPack_Packages"
 for name in burl burl-doc libburl0 libburl-dev; do
     compgen -G "$packages/${name}_*.deb" >/dev/null || fail "cpack made no package $name"
+done
+for package in "$packages"/*.deb; do
+    private=$(dpkg-deb -c "$package" | grep -Ev '^(.rw.r-.r-.|lrwxrwxrwx)') || continue
+    fail "not for all users: $private"
 done
 lintian --allow-root --fail-on error "$packages"/*.deb || fail "lintian has errors"
 
@@ -46,7 +51,7 @@ as_user burl bake sample:teapot --recipe oak --size 512 -o /home/user/teapot.glb
 ((SECONDS <= 30)) || fail "burl bake took $SECONDS s"
 as_user burl --version | grep -q "^burl [0-9]" || fail "burl --version says nothing"
 for file in man/man1/burl.1.gz man/man1/burl-bake.1.gz bash-completion/completions/burl mime/packages/burl.xml \
-    applications/burl-edit.desktop; do
+    applications/burl-edit.desktop burl/burl_addon.py burl/burl-array.sh; do
     # A small Debian leaves manual pages out.
     [[ -e $root/usr/share/$file ]] || dpkg-deb -c "$packages/$program" | grep -q "/$file\$" || fail "there is no $file"
 done

@@ -17,9 +17,14 @@ side = int(rest[0]) if rest else 512
 class Tree:
     """The nodes of a new material, made by short calls."""
 
+    @staticmethod
+    def material_of(name):
+        material = bpy.data.materials.new(name)
+        material.use_nodes = True
+        return material
+
     def __init__(self, name):
-        self.material = bpy.data.materials.new(name)
-        self.material.use_nodes = True
+        self.material = self.material_of(name)
         self.own = self.material.node_tree
         self.surface = self.own.nodes["Principled BSDF"]
 
@@ -406,6 +411,81 @@ def check_shared():
     raise AssertionError("a shared mesh was carved twice")
 
 
+def check_eight_layers():
+    """Of two meshes one has no room for another UV layer: neither changes."""
+    first, full = suzanne(), bpy.data.meshes.new("full")
+    full.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [], [(0, 1, 2)])
+    for i in range(8):
+        full.uv_layers.new(name=f"layer {i}")
+    second = bpy.data.objects.new("full", full)
+    bpy.context.scene.collection.objects.link(second)
+    second.select_set(True)
+    try:
+        bpy.ops.burl.carve()
+    except RuntimeError as error:
+        assert "eight UV layers" in str(error), error
+        assert "Burl" not in first.data.uv_layers and not first.data.materials, "the other mesh was carved"
+        return
+    raise AssertionError("a mesh has nine UV layers")
+
+
+def check_language():
+    """In a Blender whose interface is French new nodes have French names."""
+    view = bpy.context.preferences.view
+    before = view.language
+    try:
+        view.language = "fr_FR"
+    except TypeError:
+        print("language: this Blender knows English alone")
+        return
+    view.use_translate_new_dataname = True
+    thing = suzanne()
+    named = [node.name for node in Tree.material_of("named").node_tree.nodes]
+    assert "Principled BSDF" not in named, named
+    assert bpy.ops.burl.carve() == {"FINISHED"}
+    assert any(link.from_node.label == "base_color" for link in thing.active_material.node_tree.links)
+    view.language = before
+
+
+class LaterBlender:
+    """`bpy` for the add-on, whose new materials glow as Blender 4's would: their colour of emission is white, its strength 0."""
+
+    class Materials:
+        def new(self, name):
+            material = Tree.material_of(name)
+            surface = next(node for node in material.node_tree.nodes if node.bl_idname == "ShaderNodeBsdfPrincipled")
+            surface.inputs["Emission"].default_value = (1, 1, 1, 1)
+            surface.inputs["Emission Strength"].default_value = 0
+            return material
+
+    class Data:
+        materials = None
+
+        def __getattr__(self, name):
+            return getattr(bpy.data, name)
+
+    def __init__(self):
+        self.data = self.Data()
+        self.data.materials = self.Materials()
+
+    def __getattr__(self, name):
+        return getattr(bpy, name)
+
+
+def check_no_light():
+    """A material without emission gives no light, whatever the colour that new materials have."""
+    thing = suzanne()
+    module = sys.modules["burl_addon"]
+    module.bpy = LaterBlender()
+    try:
+        assert bpy.ops.burl.carve() == {"FINISHED"}
+    finally:
+        module.bpy = bpy
+    surface = next(node for node in thing.active_material.node_tree.nodes if node.bl_idname == "ShaderNodeBsdfPrincipled")
+    light = [surface.inputs["Emission Strength"].default_value * x for x in surface.inputs["Emission"].default_value[:3]]
+    assert not any(light) and not surface.inputs["Emission"].is_linked, light
+
+
 def write_sheet(path, pairs):
     """The pictures in rows of ten, ours above Cycles's, reduced to 128 texels."""
     step = max(side // 128, 1)
@@ -432,6 +512,9 @@ def main():
     check_carve()
     check_refusal()
     check_shared()
+    check_eight_layers()
+    check_language()
+    check_no_light()
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.samples = 1

@@ -128,7 +128,7 @@ void FileCommands::save_dialog() {
     ask({.title = "Save the recipe",
          .extensions = {".json"},
          .saves = true,
-         .name = session_.recipe().name + ".json",
+         .name = session_.recipe().name + ".burl.json",
          .places = places()},
         [this](const std::string& path) { save_as(path); });
 }

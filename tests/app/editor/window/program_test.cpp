@@ -170,6 +170,16 @@ TEST_F(GlEditProgramTest, SavesAndExportsThroughTheDialog) {
     EXPECT_EQ(read_file_bytes(picture), read_file_bytes(folder / "expected.png"));
 }
 
+/// Desktops know a recipe by this name (assets/install/burl.xml).
+TEST_F(GlEditProgramTest, ARecipeIsSavedAsDesktopsKnowIt) {
+    const ScratchFolder folder;
+    const auto editor = start();
+    const Recipe recipe = editor->session().recipe();
+    play(*editor, R"({"key": "Ctrl+S"}, {"wait": 3}, {"type": ")" + folder.path() + R"("},
+        {"key": "Enter"}, {"wait": 3}, {"key": "Enter"}, {"wait": 2})");
+    EXPECT_EQ(load_recipe(folder / (recipe.name + ".burl.json")), recipe);
+}
+
 /// Nobody has to click into the dialog first, and no letter is a shortcut.
 TEST_F(GlEditProgramTest, ADialogTakesWhatIsTyped) {
     const ScratchFolder folder;
