@@ -12,25 +12,6 @@ namespace {
 
 constexpr std::size_t least_rows = 64, band_pixels = std::size_t(1) << 21;
 
-/// Puts the rows, or where `halves` their means of two by two, where they belong.
-template <class Pixel>
-void add_rows(std::size_t size, bool halves, std::size_t first, const Image<Pixel>& rows,
-              Image<Pixel>& image) {
-    if (halves)
-        put_rows(halve(rows), first / 2, size / 2, image);
-    else
-        put_rows(rows, first, size, image);
-}
-
-/// Levels 1 to `count` where `finest` is level 1 or, unless `halves`, level 0.
-template <class Pixel>
-std::vector<Image<Pixel>> levels_of(const MeshAtlas& atlas, std::uint32_t count, bool halves,
-                                    Image<Pixel> finest) {
-    std::vector<Image<Pixel>> levels = block_levels(atlas, finest, count, halves ? 1 : 0);
-    if (halves) levels.insert(levels.begin(), std::move(finest));
-    return levels;
-}
-
 /// The component `c` of a pixel.
 float& component(float& pixel, std::size_t) {
     return pixel;
@@ -84,41 +65,53 @@ PictureImage picture_codes(const FloatPicture& picture, bool is_color) {
                       picture);
 }
 
-LevelRows::LevelRows(const MeshAtlas& atlas, std::uint32_t count)
-    : atlas_(&atlas), count_(count), halves_(halves_in_bands(atlas)) {}
+template <class Pixel>
+RowsOfLevels<Pixel>::RowsOfLevels(const MeshAtlas& atlas) : size_(atlas.atlas().options.size) {
+    if (halves_in_bands(atlas)) halved_.emplace(size_, size_);
+}
+
+template <class Pixel>
+void RowsOfLevels<Pixel>::add(std::size_t first, const Image<Pixel>& rows) {
+    if (halved_)
+        halved_->add(rows);
+    else
+        put_rows(rows, first, size_, whole_);
+}
+
+template <class Pixel>
+std::vector<Image<Pixel>> RowsOfLevels<Pixel>::levels(const MeshAtlas& atlas, std::uint32_t count) {
+    Image<Pixel> finest = halved_ ? halved_->take() : std::move(whole_);
+    std::vector<Image<Pixel>> levels = block_levels(atlas, finest, count, halved_ ? 1 : 0);
+    if (halved_) levels.insert(levels.begin(), std::move(finest));
+    return levels;
+}
+
+template class RowsOfLevels<Vec4f>;
 
 void LevelRows::add(std::size_t first, const FloatPicture& rows) {
     std::visit(
         [&]<class Pixel>(const Image<Pixel>& band) {
-            if (first == 0) finest_ = Image<Pixel>();
-            add_rows(atlas_->atlas().options.size, halves_, first, band,
-                     std::get<Image<Pixel>>(finest_));
+            using Rows = RowsOfLevels<Pixel>;
+            if (first == 0) rows_ = Rows(*atlas_);
+            std::get<Rows>(rows_).add(first, band);
         },
         rows);
 }
 
 std::vector<FloatPicture> LevelRows::levels() {
-    return std::visit(
-        [&](auto& finest) {
-            std::vector<FloatPicture> all;
-            for (auto& level : levels_of(*atlas_, count_, halves_, std::move(finest)))
-                all.emplace_back(std::move(level));
-            return all;
+    std::vector<FloatPicture> all;
+    std::visit(
+        [&]<class Rows>(Rows& rows) {
+            if constexpr (!std::is_same_v<Rows, std::monostate>)
+                for (auto& level : rows.levels(*atlas_, count_)) all.emplace_back(std::move(level));
         },
-        finest_);
-}
-
-NormalRows::NormalRows(const MeshAtlas& atlas, std::uint32_t count)
-    : atlas_(&atlas), count_(count), halves_(halves_in_bands(atlas)) {}
-
-void NormalRows::add(std::size_t first, const Image<RgbF>& normals, const Image<float>& roughness) {
-    add_rows(atlas_->atlas().options.size, halves_, first, normal_moments(normals, roughness),
-             finest_);
+        rows_);
+    return all;
 }
 
 std::vector<NormalLevel> NormalRows::levels() {
     std::vector<NormalLevel> all;
-    for (const Image<Vec4f>& level : levels_of(*atlas_, count_, halves_, std::move(finest_)))
+    for (const Image<Vec4f>& level : rows_.levels(*atlas_, count_))
         all.push_back(normal_level(level));
     return all;
 }

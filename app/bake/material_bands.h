@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "app/export/export.h"
 #include "app/image/convert_image.h"
 #include "atlas/base/image.h"
+#include "atlas/base/mip_chain.h"
 #include "atlas/build/mesh_atlas.h"
 #include "atlas/build/normal_levels.h"
 
@@ -56,11 +58,27 @@ void put_rows(std::variant<Images...> rows, std::size_t first, std::size_t size,
         rows);
 }
 
-/// The MIP levels of a picture whose rows come in bands of even numbers of rows.
+/// The rows of which MIP levels are made, as they come in bands: level 1, or level 0 where that is
+/// not made of rows alone (halves_in_bands).
+template <class Pixel>
+class RowsOfLevels {
+  public:
+    explicit RowsOfLevels(const MeshAtlas& atlas);
+    void add(std::size_t first, const Image<Pixel>& rows);
+    /// Levels 1 to `count`; once, when all rows were added.
+    std::vector<Image<Pixel>> levels(const MeshAtlas& atlas, std::uint32_t count);
+
+  private:
+    std::optional<HalvedRows<Pixel>> halved_{};
+    std::size_t size_;
+    Image<Pixel> whole_{};
+};
+
+/// The MIP levels of a picture whose rows come in bands.
 class LevelRows {
   public:
     /// `count` is the number of levels above level 0. The atlas must outlive the object.
-    LevelRows(const MeshAtlas& atlas, std::uint32_t count);
+    LevelRows(const MeshAtlas& atlas, std::uint32_t count) : atlas_(&atlas), count_(count) {}
 
     void add(std::size_t first, const FloatPicture& rows);
     /// Levels 1 to the last; once, when all rows were added.
@@ -69,24 +87,25 @@ class LevelRows {
   private:
     const MeshAtlas* atlas_;
     std::uint32_t count_;
-    /// Whether level 1 is made of rows alone (halves_in_bands); else level 0 is kept.
-    bool halves_;
-    FloatPicture finest_{};  ///< level 1 or level 0
+    std::variant<std::monostate, RowsOfLevels<float>, RowsOfLevels<RgbF>, RowsOfLevels<RgbaF>>
+        rows_{};
 };
 
-/// The MIP levels of a normal map with its roughness, which come in bands of even numbers of rows.
+/// The MIP levels of a normal map with its roughness, which come in bands.
 class NormalRows {
   public:
-    NormalRows(const MeshAtlas& atlas, std::uint32_t count);
+    NormalRows(const MeshAtlas& atlas, std::uint32_t count)
+        : atlas_(&atlas), count_(count), rows_(atlas) {}
 
-    void add(std::size_t first, const Image<RgbF>& normals, const Image<float>& roughness);
+    void add(std::size_t first, const Image<RgbF>& normals, const Image<float>& roughness) {
+        rows_.add(first, normal_moments(normals, roughness));
+    }
     std::vector<NormalLevel> levels();
 
   private:
     const MeshAtlas* atlas_;
     std::uint32_t count_;
-    bool halves_;
-    Image<Vec4f> finest_{};
+    RowsOfLevels<Vec4f> rows_;
 };
 
 /// Gives the levels of a picture the roughness of the normals' levels in component c, where the

@@ -228,14 +228,13 @@ std::vector<Image<RgbF>> LevelStage::run_in_bands(StageContext& context, const M
                                                   const TextureStage& texture, std::uint32_t count,
                                                   const LevelRule& rule,
                                                   const TakeRows& take) const {
-    const std::size_t half = recipe.atlas.size / 2;
-    auto first_level = Image<RgbF>::unset(half, half);
+    HalvedRows<RgbF> halved(recipe.atlas.size, recipe.atlas.size);
     const auto halve_rows = [&](std::size_t first, Image<RgbF> rows) {
-        const Image<RgbF> halved = halve(rows);
-        std::ranges::copy(halved.pixels(), &first_level(0, first / 2));
+        halved.add(rows);
         take(first, std::move(rows));
     };
     texture.run_in_bands(context, solid, recipe, masks, halve_rows);
+    Image<RgbF> first_level = halved.take();
     const TextureMeans means = [&](std::uint32_t last) {
         std::vector<Image<RgbF>> levels = block_levels(atlas, first_level, last, 1);
         levels.insert(levels.begin(), std::move(first_level));

@@ -2,6 +2,7 @@
 #include "atlas/base/mip_chain.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include <tbb/blocked_range.h>
@@ -64,11 +65,10 @@ MipTaps taps(std::size_t size, std::size_t i) {
     return {2 * i, 3, {double(half - i) / n, double(half) / n, double(i + 1) / n}};
 }
 
-/// The MIP level after an image of `width` x `height` pixels, which at(x, y) returns.
+/// The means over the products of columns and rows of an image's pixels, which at(x, y) returns.
 template <class T, class At>
-Image<T> halve_at(std::size_t width, std::size_t height, const At& at) {
-    const std::vector<MipTaps> columns = mip_taps(width), rows = mip_taps(height);
-    Image<T> result(columns.size(), rows.size());
+Image<T> means_at(std::span<const MipTaps> columns, std::span<const MipTaps> rows, const At& at) {
+    auto result = Image<T>::unset(columns.size(), rows.size());
     const auto weighted = [&](const MipTaps& x, const MipTaps& y) {
         decltype(widen(T{})) sum(0.0);
         for (std::size_t j = 0; j < y.count; ++j)
@@ -81,6 +81,21 @@ Image<T> halve_at(std::size_t width, std::size_t height, const At& at) {
             for (std::size_t x = 0; x < columns.size(); ++x)
                 narrow(weighted(columns[x], rows[y]), result(x, y));
     });
+    return result;
+}
+
+/// The MIP level after an image of `width` x `height` pixels, which at(x, y) returns.
+template <class T, class At>
+Image<T> halve_at(std::size_t width, std::size_t height, const At& at) {
+    return means_at<T>(mip_taps(width), mip_taps(height), at);
+}
+
+/// The rows of one image and below them those of another, of which the first may be empty.
+template <class T>
+Image<T> joined(const Image<T>& above, const Image<T>& below) {
+    auto result = Image<T>::unset(below.width(), above.height() + below.height());
+    std::ranges::copy(above.pixels(), result.row(0).begin());
+    std::ranges::copy(below.pixels(), result.row(above.height()).begin());
     return result;
 }
 
@@ -107,6 +122,32 @@ Image<T> halve_product(const Image<T>& image, const Image<float>& factor) {
 }
 
 template <class T>
+void HalvedRows<T>::add(const Image<T>& rows) {
+    const bool carries = carried_.height() > 0;
+    const Image<T> both = carries ? joined(carried_, rows) : Image<T>();
+    const Image<T>& known = carries ? both : rows;
+    const std::size_t end = first_ + known.height();
+    std::vector<MipTaps> whole;  // of the new rows whose old ones are all known
+    const auto row = [&] { return taps(height_, next_ + whole.size()); };
+    while (next_ + whole.size() < level_.height() && row().first + row().count <= end) {
+        whole.push_back(row());
+        whole.back().first -= first_;
+    }
+    const Image<T> halved =
+        means_at<T>(mip_taps(known.width()), whole,
+                    [&](std::size_t x, std::size_t y) -> const T& { return known(x, y); });
+    std::ranges::copy(halved.pixels(), level_.row(next_).begin());
+    next_ += whole.size();
+    const std::size_t kept =
+        next_ < level_.height() ? std::min(taps(height_, next_).first, end) : end;
+    const std::size_t old_first = std::exchange(first_, kept);
+    auto carried = Image<T>::unset(known.width(), end - kept);
+    std::ranges::copy(known.pixels().subspan((kept - old_first) * known.width()),
+                      carried.row(0).begin());
+    carried_ = std::move(carried);
+}
+
+template <class T>
 MipChain<T> build_mip_chain(Image<T> image) {
     MipChain<T> chain;
     chain.levels.push_back(std::move(image));
@@ -124,6 +165,10 @@ template Image<float> halve_product(const Image<float>&, const Image<float>&);
 template Image<Vec4f> halve_product(const Image<Vec4f>&, const Image<float>&);
 template Image<RgbF> halve_product(const Image<RgbF>&, const Image<float>&);
 template Image<RgbaF> halve_product(const Image<RgbaF>&, const Image<float>&);
+template class HalvedRows<float>;
+template class HalvedRows<Vec4f>;
+template class HalvedRows<RgbF>;
+template class HalvedRows<RgbaF>;
 template MipChain<float> build_mip_chain(Image<float>);
 template MipChain<Vec3f> build_mip_chain(Image<Vec3f>);
 template MipChain<RgbF> build_mip_chain(Image<RgbF>);

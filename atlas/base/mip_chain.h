@@ -1,8 +1,10 @@
 #pragma once
 // MIP levels (Williams, "Pyramidal Parametrics", 1983) of an image of linear values: every level is
 // half as large as the one before, and each of its texels is the mean of the texels it covers.
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "atlas/base/image.h"
@@ -41,6 +43,29 @@ struct MipTaps {
 /// Filter taps of all max(1, size / 2) new texels of an axis with `size` old ones. The weight that
 /// halve() gives an old texel is the product of its column's and its row's.
 std::vector<MipTaps> mip_taps(std::size_t size);
+
+/// The MIP level after an image whose rows come in bands, with the bytes of halve() and not more of
+/// the image in memory than a band. T is float, Vec4f, RgbF or RgbaF.
+template <class T>
+class HalvedRows {
+  public:
+    HalvedRows(std::size_t width, std::size_t height)
+        : height_(height), level_(Image<T>::unset(below(width), below(height))) {}
+
+    /// Takes the rows after those that came before.
+    void add(const Image<T>& rows);
+    /// The level; once, when all rows were added.
+    Image<T> take() { return std::move(level_); }
+
+  private:
+    static std::size_t below(std::size_t size) { return std::max<std::size_t>(1, size / 2); }
+
+    std::size_t height_;
+    Image<T> level_;
+    Image<T> carried_{};     ///< rows that the level's next row needs, too
+    std::size_t next_ = 0;   ///< row of the level
+    std::size_t first_ = 0;  ///< row of the image that comes next, less the carried ones
+};
 
 /// All levels of an image of any size but 0, down to 1 x 1.
 template <class T>

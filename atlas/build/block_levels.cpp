@@ -138,7 +138,6 @@ std::uint32_t last_source_level(const MeshAtlas& atlas) {
 }
 
 bool halves_in_bands(const MeshAtlas& atlas) {
-    if (atlas.atlas().options.size % 2 != 0) return false;
     return !atlas.patches() || last_unmixed_level(*atlas.patches()) > 0;
 }
 

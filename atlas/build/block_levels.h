@@ -32,9 +32,9 @@ std::uint32_t last_source_level(const MeshAtlas& atlas);
 /// gutters and between blocks.
 Image<float> inner_texels(const PatchAtlas& atlas, std::uint32_t level = 0);
 
-/// Whether level 1 is plain means of two by two texels, and the levels above it can be made of it
-/// alone with the same bytes: the texture's side is even, and level 1 of a patch atlas mixes no
-/// gutter with surface.
+/// Whether level 1 is plain means of texels, and the levels above it can be made of it alone with
+/// the same bytes: level 1 of a patch atlas mixes no gutter with surface, which it does where the
+/// texture's side is odd.
 bool halves_in_bands(const MeshAtlas& atlas);
 
 /// Levels first + 1 to `levels` (at most down to 1 x 1) of a texture of linear values whose level

@@ -105,7 +105,8 @@ TEST_P(MaterialBands, HaveTheBytesOfWholePictures) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, MaterialBands,
                          testing::Values(BandsCase{AtlasKind::chart, 700, "opaque"},
-                                         BandsCase{AtlasKind::chart, 701, "blend"},  // no halves
+                                         BandsCase{AtlasKind::chart, 701, "blend"},
+                                         BandsCase{AtlasKind::patch, 701, "opaque"},  // no halves
                                          BandsCase{AtlasKind::quad, 1024, "mask"},
                                          BandsCase{AtlasKind::patch, 704, "mask"},
                                          BandsCase{AtlasKind::chart, 700, "blend",

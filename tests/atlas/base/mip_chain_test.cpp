@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -86,6 +87,29 @@ TEST(MipChain, OddSidesIntegrateTheImageOverEachTexel) {
                         (integral(double(i + 1) * width) - integral(double(i) * width)) / width,
                         1e-6);
     }
+}
+
+TEST(MipChain, RowsInBandsGiveTheLevelOfTheWholeImage) {
+    for (const auto& [width, height] : {std::pair<std::size_t, std::size_t>{8, 8},
+                                        {7, 7},
+                                        {5, 6},
+                                        {3, 3},
+                                        {2, 2},
+                                        {1, 1},
+                                        {9, 2},
+                                        {4, 1},
+                                        {33, 65}})
+        for (const std::size_t band : {1u, 2u, 3u, 4u, 7u, 64u}) {
+            const Image<float> image = mip_chain_noise(width, height);
+            HalvedRows<float> halved(width, height);
+            for (std::size_t y = 0; y < height; y += band) {
+                Image<float> rows(width, std::min(band, height - y));
+                std::ranges::copy(image.pixels().subspan(y * width, rows.pixels().size()),
+                                  rows.row(0).begin());
+                halved.add(rows);
+            }
+            EXPECT_EQ(halved.take(), halve(image)) << width << " x " << height << ", " << band;
+        }
 }
 
 TEST(MipChain, ColoursAreThreeSeparateChannels) {
