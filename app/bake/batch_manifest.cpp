@@ -250,7 +250,8 @@ BatchEntry bake_of(const ManifestEntry& entry, std::size_t i, const PathRule& ru
 /// The most bakes of one command: each takes some 6 kB before it begins.
 constexpr std::size_t most_bakes = 100'000;
 
-/// The bakes of the entries that are in the shard. Throws Error(unsupported) for too many.
+/// The bakes of the entries that are in the shard, up to the wrong one number most_wrong_bakes.
+/// Throws Error(unsupported) for too many.
 std::vector<BatchEntry> bakes_of(const std::vector<ManifestEntry>& entries, const PathRule& rule,
                                  const BatchShard& shard) {
     std::size_t count = 0;
@@ -261,13 +262,15 @@ std::vector<BatchEntry> bakes_of(const std::vector<ManifestEntry>& entries, cons
                                 "with --shard",
                                 shard.last(count) - shard.first(count), most_bakes));
     std::vector<BatchEntry> bakes;
-    std::size_t begin = 0;  // of the entry's bakes among all
+    std::size_t begin = 0, wrong = 0;  // of the entry's bakes among all; of those so far
     for (const ManifestEntry& entry : entries) {
         const std::size_t first = std::max(begin, shard.first(count)),
                           last = std::min(begin + entry.count(), shard.last(count));
-        for (std::size_t i = first; i < last; ++i)
+        for (std::size_t i = first; i < last && wrong < most_wrong_bakes; ++i) {
             bakes.push_back(
                 bake_of(entry, i - begin, rule, fmt::format("{}: bake {}", entry.where, i + 1)));
+            wrong += !bakes.back().wrong.empty();
+        }
         begin += entry.count();
     }
     return bakes;

@@ -37,13 +37,17 @@ struct BatchShard {
 /// Parses "I/N", I from 1 to N; an empty text is the whole. Throws Error(usage) for anything else.
 BatchShard batch_shard(const std::string& text);
 
+/// Wrong bakes after which no more are looked at: lists in an entry make thousands of one mistake.
+inline constexpr std::size_t most_wrong_bakes = 100;
+
 /// The bakes of the manifest `path` ("-": of stdin, relative paths from the working directory on),
 /// in its order, those of a matrix (app/bake/batch_matrix.h) one after the other, each parsed as
 /// `burl bake` parses its options; an entry's error is stored in it (BatchEntry::wrong). Throws
 /// Error(io), or Error(invalid_file) with "file:line: ..." for a manifest that is not an object
 /// with a list of entries.
 ///
-/// Only those of the shard are parsed; their files may lie where `named` says.
+/// Only those of the shard are parsed, up to the wrong one number most_wrong_bakes; their files may
+/// lie where `named` says.
 std::vector<BatchEntry> read_manifest(const std::string& path, const BatchShard& shard = {},
                                       NamedFiles named = NamedFiles::below);
 

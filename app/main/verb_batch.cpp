@@ -62,20 +62,28 @@ std::vector<std::string> BatchCommand::options() const {
     return all;
 }
 
-/// A counter of wrong entries, which prints each on stderr.
+/// A counter of wrong entries of a manifest, which prints each on stderr.
 class Problems {
   public:
+    explicit Problems(std::string manifest) : manifest_(std::move(manifest)) {}
+    /// Throws Error where there are too many to look for more.
     void add(ExitCode code, const std::string& where, const std::string& what) {
         warn(fmt::format("{}: {}", where, what));
         if (count_++ == 0) code_ = code;
+        if (count_ == most_wrong_bakes)
+            throw Error(code_,
+                        fmt::format("{}: {} bakes are wrong, the most that are told; nothing "
+                                    "was baked",
+                                    manifest_, count_));
     }
-    void throw_if_any(const std::string& manifest, std::size_t entries) const {
+    void throw_if_any(std::size_t entries) const {
         if (count_ == 0) return;
-        throw Error(code_, fmt::format("{}: {} of {} bakes are wrong; nothing was baked", manifest,
+        throw Error(code_, fmt::format("{}: {} of {} bakes are wrong; nothing was baked", manifest_,
                                        count_, entries));
     }
 
   private:
+    std::string manifest_;
     std::size_t count_ = 0;
     ExitCode code_ = ExitCode::ok;
 };
@@ -140,7 +148,7 @@ std::vector<BatchEntry> entries_of(const BatchCommand& command) {
 std::vector<BatchBake> check_manifest(const BatchCommand& command) {
     std::vector<BatchEntry> entries = entries_of(command);
     std::vector<BatchBake> bakes;
-    Problems problems;
+    Problems problems(command.name());
     const auto images = std::make_shared<RecipeImages>();
     for (BatchEntry& entry : entries) {
         entry.command.recipe.images = images;
@@ -158,7 +166,7 @@ std::vector<BatchBake> check_manifest(const BatchCommand& command) {
         }
     }
     CommandFiles files = check_outputs(command, bakes, problems);
-    problems.throw_if_any(command.name(), entries.size());
+    problems.throw_if_any(entries.size());
     const std::string& report = command.run.report;
     if (!report.empty() && report != "-") files.write(report);
     return bakes;

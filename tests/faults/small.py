@@ -156,6 +156,9 @@ def image_cases():
 def other_cases():
     bakes = [{"mesh": "sample:cube", "size": 16, "output": f"o{i}.png"} for i in range(15000)]
     yield Case("bakes.json", json.dumps({"bakes": bakes}), "batch {} --dry-run", seconds=15)
+    lists = {"size": list(range(1, 11)), "rotate": list(range(10)), "seconds": list(range(1, 11)), "fps": list(range(1, 56))}
+    wrong = {"mesh": "sample:cube", "output": "a.png", "sise": 1} | lists
+    yield Case("wrong.json", json.dumps({"bakes": [wrong]}), "batch {} --dry-run", often=True, code=3)
     yield Case("points.csv", "0.1,0.2,0.3\n" * 80000, "eval marble --points {}")
     yield Case("nodes.mtlx", '<?xml version="1.0"?><materialx version="1.38">' + "".join(
         f'<add name="a{i}" type="float"><input name="in1" type="float" nodename="a{i - 1}"/>'

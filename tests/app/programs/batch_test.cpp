@@ -152,6 +152,24 @@ TEST_F(Batch, NothingIsBakedWhereAnEntryIsWrong) {
         EXPECT_NE(outcome.err.find(part), std::string::npos) << part << "\n" << outcome.err;
 }
 
+TEST_F(Batch, OneMistakeInThousandsOfBakesIsToldAHundredTimes) {
+    for (const char* mistake : {R"("sise": 64)", R"("recipe": "marbel")"}) {
+        const Outcome outcome = run(fmt::format(
+            R"({{"bakes": [{{"mesh": "square.obj", "output": "a.png", {},
+                "threads": 1, "size": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10],
+                "rotate": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10],
+                "depth": [8, 16, 8, 16, 8, 16, 8, 16, 8, 16],
+                "seconds": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]}}]}})",
+            mistake));
+        EXPECT_EQ(outcome.exit_code, int(ExitCode::invalid_file));
+        EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 101) << outcome.err;
+        EXPECT_NE(outcome.err.find("100 bakes are wrong, the most that are told"),
+                  std::string::npos)
+            << outcome.err;
+        EXPECT_EQ(scratch.files(), 3u);  // the meshes and the manifest
+    }
+}
+
 TEST_F(Batch, WhatIsNoManifestIsRefused) {
     for (const char* manifest :
          {"", "[", "[]", "{}", R"({"bakes": {}})", R"({"bakes": []})",
