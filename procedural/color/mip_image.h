@@ -6,9 +6,9 @@
 // Levels are made when a lookup first needs one coarser than the finest, which a texture that is
 // not filtered never does. The finest level is the image's 8-bit codes, decoded at every look-up:
 // floats would have the same values and be three or four times as large. Only an image that is
-// resampled has it as floats, up to 2^25 texels; a larger one is resampled at every look-up, with
-// the same values. With all levels a texel takes 7 bytes, or 10 where the image is transparent, and
-// 16 or 21 where it is kept as floats.
+// resampled has it as floats besides, up to 2^25 texels; a larger one is resampled at every
+// look-up, with the same values. With all levels a texel takes 7 bytes, or 9 where the image is
+// transparent, and 16 or 21 besides the codes where it is kept as floats.
 #include <algorithm>
 #include <bit>
 #include <cstddef>
