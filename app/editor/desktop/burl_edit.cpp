@@ -102,15 +102,18 @@ void add_script_options(CLI::App& program, Command& command) {
 
 /// Adds --manual, for those who package Burl: a page for man, or a shell's completion.
 void add_manual(CLI::App& program, std::string& form) {
-    program.add_option("--manual", form, "man, or a shell")
-        ->check(burl::one_of({"man", "bash", "zsh", "fish"}))
-        ->group("");
+    program.add_option("--manual", form, "man, or a shell")->group("");
 }
 
-void print_manual(const CLI::App& program, const std::string& form) {
-    fmt::print("{}", form == "man"
-                         ? burl::program_page(program)
-                         : burl::completion(program, *burl::enum_named<burl::Shell>(form)));
+/// Prints the page or the completion; the exit code.
+int print_manual(const CLI::App& program, const std::string& form) {
+    const auto shell = burl::enum_named<burl::Shell>(form);
+    if (form != "man" && !shell) {
+        burl::warn(fmt::format("burl-edit: --manual {}: must be man, bash, zsh or fish", form));
+        return int(burl::ExitCode::usage);
+    }
+    fmt::print("{}", shell ? burl::completion(program, *shell) : burl::program_page(program));
+    return 0;
 }
 
 }  // namespace
@@ -135,7 +138,7 @@ int main(int argc, char** argv) {
         burl::warn(fmt::format("burl-edit: {}; burl-edit --help lists the options", wrong.what()));
         return int(burl::ExitCode::usage);
     }
-    if (!manual.empty()) return print_manual(program, manual), 0;
+    if (!manual.empty()) return print_manual(program, manual);
     if (burl::names_recipe_file(command.editor.mesh) && program.count("--recipe") == 0)
         command.editor.recipe = std::exchange(command.editor.mesh, burl::EditorOptions{}.mesh);
     command.editor.synthesis = *burl::enum_named<burl::EditSynthesis>(command.synthesis);

@@ -67,6 +67,9 @@ TEST(EditDesktop, AnUnknownOptionIsAWrongCommandLine) {
     EXPECT_NE(run.err.find("--nonsense"), std::string::npos) << run.err;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
     EXPECT_EQ(test::run_program(scratch, "burl-edit", "--help").exit_code, 0);
+    const test::Outcome manual = test::run_program(scratch, "burl-edit", "--manual nope");
+    EXPECT_EQ(manual.exit_code, 1);
+    EXPECT_EQ(manual.err, "burl-edit: --manual nope: must be man, bash, zsh or fish\n");
 }
 
 TEST(EditDesktop, ARecipeAloneIsShownOnTheTeapot) {
