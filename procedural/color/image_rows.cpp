@@ -55,6 +55,7 @@ RgbF not_below_0(const Rgb<double>& sum) {
     return {not_below_0(sum.r), not_below_0(sum.g), not_below_0(sum.b)};
 }
 
+/// The weighted sum of four texels, which texel_at(index) returns; below 0 it is 0.
 template <class TexelAt>
 auto mixed(const LanczosTaps& taps, const TexelAt& texel_at) {
     std::conditional_t<std::is_same_v<decltype(texel_at(0)), float>, double, Rgb<double>> sum{};
@@ -63,13 +64,14 @@ auto mixed(const LanczosTaps& taps, const TexelAt& texel_at) {
     return not_below_0(sum);
 }
 
+/// The numbers of a row of texels, one after the other.
 template <class Texels>
 auto channels(Texels& row) {
     using Float = std::conditional_t<std::is_const_v<Texels>, const float, float>;
     return reinterpret_cast<Float*>(row.data());
 }
 
-/// Mixes `count` numbers of each of four rows, as mixed() does.
+/// Mixes `count` numbers of each of four rows, as mixed() does, in loops without a branch.
 void mix_rows(const std::array<double, 4>& weight, const std::array<const float*, 4>& rows,
               std::size_t count, float* to) {
     for (std::size_t i = 0; i < count; ++i) {
