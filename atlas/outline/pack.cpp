@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "atlas/outline/outline_mask.h"
+#include "atlas/outline/spread.h"
 
 namespace burl {
 namespace {
@@ -84,6 +85,11 @@ class Grid {
     std::vector<Touched> rows_;
 };
 
+/// A turn of an outline, and the cell of its mask's low corner.
+struct Spot {
+    std::uint32_t turn = 0, x = 0, y = 0;
+};
+
 /// The masks of all outlines at one scale.
 using Masks = std::vector<TurnedMasks>;
 
@@ -93,8 +99,6 @@ class Packer {
     Packer(std::span<const Outline> outlines, std::uint32_t size)
         : outlines_(outlines), cell_(outline_cell(size)), side_(size / cell_) {}
 
-    std::uint32_t cell() const { return cell_; }
-
     Masks masks(double scale) const {
         Masks result(outlines_.size());
         MaskMaker make(scale, cell_);
@@ -102,32 +106,43 @@ class Packer {
         return result;
     }
 
-    /// The outlines' places in the order, or nothing if one finds none.
-    std::optional<std::vector<PackedOutline>> pack(std::span<const std::uint32_t> order,
-                                                   const Masks& masks) const {
-        std::vector<PackedOutline> result(outlines_.size());
+    /// The outlines' spots, found in the order given, or nothing if one finds none.
+    std::optional<std::vector<Spot>> pack(std::span<const std::uint32_t> order,
+                                          const Masks& masks) const {
+        std::vector<Spot> result(outlines_.size());
         Grid grid(side_);
         for (const std::uint32_t i : order)
             if (!place(masks[i], grid, result[i])) return std::nullopt;
         return result;
     }
 
-  private:
-    bool place(const TurnedMasks& turns, Grid& grid, PackedOutline& result) const {
-        double lowest = std::numeric_limits<double>::infinity();
-        const OutlineMask* best = nullptr;
-        std::array<std::uint32_t, 2> at{};
-        for (const OutlineMask& mask : turns) {
-            const auto free = grid.find(mask, lowest);
-            if (!free) continue;
-            lowest = (*free)[1] + mask.weight_y;
-            at = *free;
-            best = &mask;
+    /// The outlines in their spots, moved apart.
+    Packing spread(std::span<const Spot> spots, double scale) const {
+        const Masks turned = masks(scale);
+        std::vector<PlacedMask> placed;
+        for (std::size_t i = 0; i < spots.size(); ++i)
+            placed.push_back({&turned[i][spots[i].turn], spots[i].x, spots[i].y});
+        spread_masks(placed, side_);
+        Packing result{{}, scale, cell_};
+        for (const PlacedMask& p : placed) {
+            PackedOutline outline = p.mask->placed;
+            outline.origin += double(cell_) * Vec2d(p.x, p.y);
+            result.outlines.push_back(outline);
         }
-        if (best == nullptr) return false;
-        grid.take(*best, at[0], at[1]);
-        result = best->placed;
-        result.origin += double(cell_) * Vec2d(at[0], at[1]);
+        return result;
+    }
+
+  private:
+    bool place(const TurnedMasks& turns, Grid& grid, Spot& result) const {
+        double lowest = std::numeric_limits<double>::infinity();
+        for (std::uint32_t turn = 0; turn < turns.size(); ++turn) {
+            const auto free = grid.find(turns[turn], lowest);
+            if (!free) continue;
+            lowest = (*free)[1] + turns[turn].weight_y;
+            result = {turn, (*free)[0], (*free)[1]};
+        }
+        if (!(lowest < std::numeric_limits<double>::infinity())) return false;
+        grid.take(turns[result.turn], result.x, result.y);
         return true;
     }
 
@@ -156,11 +171,10 @@ class Search {
             most_scale_ *= scale_step;
             if (try_scale(order_, most_scale_)) break;
         }
-        if (best_.outlines.empty()) return std::nullopt;
+        if (spots_.empty()) return std::nullopt;
         refine(order_, high);
         try_orders();
-        best_.cell = packer_.cell();
-        return std::move(best_);
+        return packer_.spread(spots_, scale_);
     }
 
   private:
@@ -169,15 +183,15 @@ class Search {
         masks_scale_ = scale;
         auto packed = packer_.pack(order, masks_);
         if (!packed) return false;
-        best_.outlines = std::move(*packed);
-        best_.scale = scale;
+        spots_ = std::move(*packed);
+        scale_ = scale;
         return true;
     }
 
     /// Halves the step between the best scale and one that does not fit.
     void refine(std::span<const std::uint32_t> order, double high) {
         for (int i = 0; i < scale_halvings; ++i) {
-            const double middle = 0.5 * (best_.scale + high);
+            const double middle = 0.5 * (scale_ + high);
             if (!try_scale(order, middle)) high = middle;
         }
     }
@@ -197,8 +211,8 @@ class Search {
                 const std::size_t j = i + 1 + below(std::max<std::size_t>(count_ / 4, 1));
                 std::swap(order[i], order[std::min(j, count_ - 1)]);
             }
-            if (!try_scale(order, best_.scale * order_gain)) continue;
-            refine(order, best_.scale / scale_step);
+            if (!try_scale(order, scale_ * order_gain)) continue;
+            refine(order, scale_ / scale_step);
             order_ = std::move(order);
         }
     }
@@ -209,7 +223,8 @@ class Search {
     std::vector<std::uint32_t> order_;
     Masks masks_;  ///< of the scale tried last
     double masks_scale_ = 0.0;
-    Packing best_;
+    std::vector<Spot> spots_;  ///< of the largest scale that fits, which is `scale_`
+    double scale_ = 0.0;
 };
 
 }  // namespace

@@ -3,9 +3,9 @@
 // half a gutter round it touch, in one of four quarter turns, and cells belong to one outline: so
 // MIP levels whose texels are no wider than a cell never mix two charts. Outlines are placed one
 // after the other, the largest first, at the lowest free place; orders are tried and the one with
-// the largest scale is kept (after Levy, Petitjean, Ray & Maillot, "Least squares conformal maps
-// for automatic texture atlas generation", 2002, whose horizon is a bit mask here, so that holes
-// are filled, too).
+// the largest scale is kept, whose outlines are then moved apart (spread.h) (after Levy, Petitjean,
+// Ray & Maillot, "Least squares conformal maps for automatic texture atlas generation", 2002, whose
+// horizon is a bit mask here, so that holes are filled, too).
 #include <cstdint>
 #include <optional>
 #include <span>
