@@ -237,7 +237,7 @@ struct Level3 {
 TEST(DirectLevels, AreAsNearToTheSurfacesMeanAsAveragedLevelsAre) {
     Pipeline pipeline(sample_mesh("sample:teapot"));
     for (const char* recipe : {"marble", "clouds", "wood"}) {
-        const Level3 level = Level3::of(pipeline, recipe, 600);
+        const Level3 level = Level3::of(pipeline, recipe, 2000);
         EXPECT_GT(level.averaged, 10.0 * level.noise) << recipe;
         EXPECT_NE(level.worked_out, level.averaged) << recipe;
         EXPECT_LT(level.worked_out, 1.02 * level.averaged + level.noise) << recipe;
