@@ -56,8 +56,8 @@ constexpr Expected bakes[] = {
     {"quad box", "1f3538218535409d eab69004c07d2771 5d96e69469c3763d 04fae6609a042479"},
     {"patch ball", "772a16b7b5eed803 646511dd2e0eab3d 17d2d9d2fee7e0f8 92941c85339dcbad"},
     {"patch box", "278f254377d7191d 15a717e3c429e09d c4e7543a08ab41f8 17dc69bb4468a676"},
-    {"chart ball", "77879ff38101ae99 9c8679cc45279ad4 83a2fcbe308ea908 e5b7b370b447cd9f"},
-    {"chart box", "97bcffed4a3c401b bda62d58ede52a5c cfe0eb465241a047 a2e1cd1f1c24f458"},
+    {"chart ball", "9fa470818c6a8ddf 3e2757cca78e309d 3ea8566693a975a6 49c835b30cbebe81"},
+    {"chart box", "3a1101992a4722c7 4e2c8fc20e4b680e 9ccb043da3ce4789 8ab3abd67a9e12f8"},
     {"uv ball", "ccf308aaf89774b6 a61829626acbd0b1 c07ab70effd29c9f 9f0d7ae2855cc942"},
     {"uv box", "93d7e41177e96797 8353f980092b78e6 7bf9806b5be5a848 8d36bdbb0462a758"},
 };
