@@ -58,6 +58,18 @@ std::vector<Vec2d> outer_border(const Patch& patch, std::span<const Vec2d> place
     return outer;
 }
 
+/// Turns the chart so that the box round it has the least area, with its longer side along x, whose
+/// length is returned.
+double straighten(FlatChart& chart) {
+    const TurnedRectangle box = least_rectangle(convex_hull(chart.outline));
+    const Vec2d u = box.axis;
+    const Vec2d along = box.size().x >= box.size().y ? u : Vec2d(-u.y, u.x);
+    const auto turn = [&](Vec2d& p) { p = {glm::dot(p, along), cross(along, p)}; };
+    std::ranges::for_each(chart.places, turn);
+    std::ranges::for_each(chart.outline, turn);
+    return box.longer();
+}
+
 /// Whether no place lies beyond the box round the outline, but for `most_beyond` of its longer
 /// side. Triangles without area may reach out of a map that is one to one.
 bool outline_holds(const FlatChart& chart) {
@@ -236,8 +248,11 @@ class Division {
         const NetOptions options{.longest_flat = longest_chart * std::sqrt(area_),
                                  .longest = longest_net * std::sqrt(area_),
                                  .gap = std::sqrt(area_) / 256.0};
-        if (auto net = unfold(mesh_, connectivity_, faces, options)) return std::move(*net);
-        return {};
+        auto net = unfold(mesh_, connectivity_, faces, options);
+        if (!net) return {};
+        std::ranges::for_each(*net, straighten);
+        if (!std::ranges::all_of(*net, outline_holds)) return {};
+        return std::move(*net);
     }
 
     /// The chart of a connected patch; nothing where it would be distorted too much, overlap, reach
@@ -255,9 +270,9 @@ class Division {
     }
 
     std::optional<FlatChart> if_sound(FlatChart chart) const {
+        const double longer = straighten(chart);
         if (!outline_holds(chart)) return std::nullopt;
-        if (chart.faces.size() > few_triangles &&
-            least_rectangle(convex_hull(chart.outline)).longer() > longest_chart * std::sqrt(area_))
+        if (chart.faces.size() > few_triangles && longer > longest_chart * std::sqrt(area_))
             return std::nullopt;
         return chart;
     }

@@ -28,7 +28,8 @@ struct FlatCharts {
     std::vector<std::uint32_t> unmapped;  ///< triangles without area or map, ascending
 };
 
-/// Flattens the mesh; every triangle is in one chart or unmapped. Parts are flattened in parallel;
+/// Flattens the mesh; every triangle is in one chart or unmapped. Charts are turned so that the box
+/// round each has the least area, with its longer side along x. Parts are flattened in parallel;
 /// the result does not depend on the number of threads. Once a stop is requested what is left is
 /// unmapped.
 FlatCharts divide_into_charts(const Mesh& mesh, const Connectivity& connectivity,

@@ -1,5 +1,5 @@
-// The steps, in order: the mesh in the unit frame, its division into flat charts (divide), each
-// turned into the rectangle of least area round it, all packed (pack), and the corners of the
+// The steps, in order: the mesh in the unit frame, its division into flat charts, each turned into
+// the rectangle of least area round it (divide), all packed (pack), and the corners of the
 // triangles in texels.
 #include "atlas/outline/layout.h"
 
@@ -9,7 +9,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "atlas/chart/least_rectangle.h"
 #include "atlas/mesh/copies.h"
 #include "atlas/mesh/unit_frame.h"
 #include "atlas/outline/divide.h"
@@ -17,16 +16,6 @@
 
 namespace burl {
 namespace {
-
-/// Turns the chart so that the box round it has the least area, with its longer side along x.
-void straighten(FlatChart& chart) {
-    const TurnedRectangle box = least_rectangle(convex_hull(chart.outline));
-    const Vec2d u = box.axis;
-    const Vec2d along = box.size().x >= box.size().y ? u : Vec2d(-u.y, u.x);
-    const auto turn = [&](Vec2d& p) { p = {glm::dot(p, along), cross(along, p)}; };
-    std::ranges::for_each(chart.places, turn);
-    std::ranges::for_each(chart.outline, turn);
-}
 
 /// Sets corners and charts of the mapped triangles.
 void place_charts(const FlatCharts& flat, const Packing& packing, Atlas& atlas) {
@@ -163,13 +152,10 @@ Atlas with_copies(const Mesh& mesh, WithoutCopies firsts, Atlas atlas) {
 /// The atlas of a mesh in which every triangle gets a place of its own.
 std::optional<Atlas> layout_all(const Mesh& mesh, const Connectivity& connectivity,
                                 const AtlasOptions& options, const std::stop_token& stop) {
-    FlatCharts flat = divide_into_charts(in_unit_frame(mesh), connectivity, {.stop = stop});
+    const FlatCharts flat = divide_into_charts(in_unit_frame(mesh), connectivity, {.stop = stop});
     if (stop.stop_requested()) return std::nullopt;
     std::vector<Outline> outlines;
-    for (FlatChart& chart : flat.charts) {
-        straighten(chart);
-        outlines.push_back({chart.outline, chart.area});
-    }
+    for (const FlatChart& chart : flat.charts) outlines.push_back({chart.outline, chart.area});
     const std::optional<Packing> packing = pack_outlines(outlines, options.size);
     if (!packing) return std::nullopt;
     Atlas atlas;
