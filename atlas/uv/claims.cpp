@@ -9,6 +9,8 @@ namespace burl {
 
 namespace {
 
+constexpr double least_area = 1e-20;  ///< of a triangle with area, as a share of the texture
+
 /// Distance in texels, in x and in y, by which a centre must lie inside of a triangle that shares
 /// it, so that triangles that meet in an edge share none.
 constexpr double inset = 1e-6;
@@ -27,7 +29,7 @@ class Claiming {
 
     UvClaims run() {
         for (std::uint32_t t = 0; t < atlas_.corners.size(); ++t)
-            if (has_texture_area(atlas_.corners[t])) claim(t);
+            if (has_texture_area(atlas_.corners[t], double(columns_) * rows_)) claim(t);
         claims_.shared_texels = std::uint64_t(std::ranges::count(shared_, true));
         claims_.sharing_triangles = std::uint64_t(std::ranges::count(shares_, true));
         return std::move(claims_);
@@ -69,9 +71,9 @@ class Claiming {
 
 }  // namespace
 
-bool has_texture_area(const std::array<Vec2d, 3>& corners) {
+bool has_texture_area(const std::array<Vec2d, 3>& corners, double texture_area) {
     const double twice = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    return std::isfinite(twice) && twice != 0.0;
+    return std::isfinite(twice) && std::abs(twice) > 2.0 * least_area * texture_area;
 }
 
 UvClaims claim_texels(const Atlas& atlas) {

@@ -80,7 +80,7 @@ std::vector<UvBox> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>& 
     std::vector<UvBox> boxes(first.size());
     for (std::size_t t = 0; t < first.size(); ++t) {
         const std::array<Vec2d, 3> uvs = uvs_of(mesh, t);
-        if (!has_texture_area(uvs)) continue;
+        if (!has_texture_area(uvs, 1.0)) continue;
         UvBox& box = boxes[first[t]];
         for (const Vec2d& uv : uvs) box = {glm::min(box.low, uv), glm::max(box.high, uv)};
     }
@@ -153,7 +153,7 @@ void place_corners(const Mesh& mesh, Atlas& atlas) {
     atlas.corners.resize(mesh.triangles.size());
     for (std::size_t t = 0; t < atlas.corners.size(); ++t) {
         const std::array<Vec2d, 3> uvs = uvs_of(mesh, t);
-        if (!has_texture_area(uvs)) ++atlas.notes.flat_triangles;
+        if (!has_texture_area(uvs, 1.0)) ++atlas.notes.flat_triangles;
         for (std::size_t k = 0; k < 3; ++k)
             atlas.corners[t][k] =
                 is_finite(uvs) ? (uvs[k] - Vec2d(tile.column, tile.row)) * extent : Vec2d(0.0);

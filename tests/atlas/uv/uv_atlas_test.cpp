@@ -267,6 +267,18 @@ TEST(UvAtlas, MissingAndUselessCoordinatesAreNamed) {
     for (const std::uint32_t t : all.triangles.pixels()) EXPECT_EQ(t, 1u);
 }
 
+TEST(UvAtlas, TrianglesTooSmallForNumbersAreFlat) {
+    Mesh mesh = uv_mesh(made::square(), [](const Vec3d& p) { return Vec2d(p.x, p.y); });
+    const auto shrink_first = [&](double scale) {
+        for (std::size_t k = 0; k < 3; ++k) mesh.corners.uvs[k] *= scale;
+        return shown_uvs(mesh, uv_options(16));
+    };
+    EXPECT_EQ(shrink_first(1e-9).atlas.notes.flat_triangles, 0u);
+    const UvShown tiny = shrink_first(1e-150);
+    EXPECT_EQ(tiny.atlas.notes.flat_triangles, 1u);
+    for (const Vec3d& point : tiny.points.pixels()) EXPECT_TRUE(std::isfinite(glm::length(point)));
+}
+
 TEST(UvAtlas, TexelsBesideAChartShowTheSurfaceOnTheOtherSideOfItsBorder) {
     // Two halves of a ball, each seen from the other pole: the lower one is mirrored.
     Mesh mesh = made::ball(4);
