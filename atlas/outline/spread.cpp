@@ -128,7 +128,7 @@ class Room {
                y + outline.weights.height - 2 * reach <= side_;
     }
 
-    /// What the outline's border reads of the others with its low corner at a cell, or `enough`.
+    /// The outline's border reads this of the others with its low corner at a cell, or `enough`.
     Weight read(const Moving& outline, int x, int y, Weight enough) const {
         Weight sum = 0;
         for (const Cell& cell : outline.border) {

@@ -57,7 +57,7 @@ double tent(int d) {
     return std::max(0, 5 - std::abs(d));
 }
 
-/// What the border of one outline reads of another's cells.
+/// The border of one outline reads this of another's cells.
 double reads(const Cells& one, const Cells& other) {
     double sum = 0.0;
     for (const auto& [x, y] : one) {
