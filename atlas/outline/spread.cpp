@@ -41,11 +41,10 @@ struct Sheet {
           weights(std::size_t(width) * std::size_t(height), 0) {}
 
     Weight* row(int y) { return weights.data() + std::ptrdiff_t(y) * width; }
+    const Weight* row(int y) const { return weights.data() + std::ptrdiff_t(y) * width; }
     /// The weight at cell (x, y) of the rectangle.
     Weight& at(int x, int y) { return row(y + reach)[x + reach]; }
-    Weight at(int x, int y) const {
-        return weights[std::size_t(y + reach) * std::size_t(width) + std::size_t(x + reach)];
-    }
+    Weight at(int x, int y) const { return row(y + reach)[x + reach]; }
 };
 
 /// Replaces each of `count` weights, `stride` apart, by the sum of those up to `radius` away;
@@ -96,9 +95,9 @@ Moving moving(const PlacedMask& placed) {
 /// The grid with the weights of all outlines.
 class Room {
   public:
-    explicit Room(std::uint32_t side) : side_(int(side)), sum_(side, side) {}
+    explicit Room(std::uint32_t side) : sum_(side, side) {}
 
-    void add(Moving& outline, Weight times) {
+    void add(const Moving& outline, Weight times) {
         for (int y = 0; y < outline.weights.height; ++y) {
             Weight* to = sum_.row(outline.y + y) + outline.x;
             const Weight* from = outline.weights.row(y);
@@ -124,8 +123,8 @@ class Room {
 
   private:
     bool is_inside(const Moving& outline, int x, int y) const {
-        return x >= 0 && y >= 0 && x + outline.weights.width - 2 * reach <= side_ &&
-               y + outline.weights.height - 2 * reach <= side_;
+        return x >= 0 && y >= 0 && x + outline.weights.width <= sum_.width &&
+               y + outline.weights.height <= sum_.height;
     }
 
     /// The outline's border reads this of the others with its low corner at a cell, or `enough`.
@@ -144,7 +143,6 @@ class Room {
         });
     }
 
-    int side_;
     Sheet sum_;
 };
 

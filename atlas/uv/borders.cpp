@@ -54,9 +54,10 @@ double BorderEdge::distance(const Vec2d& at) const {
 }
 
 std::vector<BorderEdge> border_edges(const Atlas& atlas) {
+    const double texture_area = double(atlas.options.columns()) * atlas.options.rows();
     std::vector<KeyedEdge> all;
     for (std::uint32_t t = 0; t < atlas.corners.size(); ++t)
-        if (has_texture_area(atlas.corners[t], atlas.extent().x * atlas.extent().y))
+        if (has_texture_area(atlas.corners[t], texture_area))
             for (std::uint32_t k = 0; k < 3; ++k) all.push_back(keyed(atlas, t, k));
     std::ranges::sort(all, {}, [](const KeyedEdge& one) {
         return std::tuple(one.key(), one.triangle, one.corner);

@@ -22,7 +22,7 @@ struct UvClaims {
 
 /// Whether the triangle has an area in a texture of `texture_area`, in squared units of the
 /// corners: more than 1e-20 of it, a square whose side is 1e-10 of the texture's. Maps of smaller
-/// ones would leave the range of numbers.
+/// ones could leave the range of numbers.
 bool has_texture_area(const std::array<Vec2d, 3>& corners, double texture_area);
 
 /// The claims of all triangles with area in a texture of the atlas's columns and rows.
