@@ -32,8 +32,17 @@ constexpr std::size_t few_triangles = 16;
 /// Longest side of the box round triangles of a net that do not lie in a plane, likewise.
 constexpr double longest_net = 0.75;
 
-/// Farthest that a chart's places may lie beyond its outline, in sides of the box round that.
+/// Farthest that a chart's places may lie beyond its outline, in sides of the box round that, and
+/// how much more area than in the outline its triangles may have, in squares of that side.
 constexpr double most_beyond = 1e-6;
+
+/// The area that a closed polygon goes round, once for each turn.
+double area_in(std::span<const Vec2d> polygon) {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        twice += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
+    return 0.5 * twice;
+}
 
 /// The border with all others inside: the box round it is the largest, though a hole's may be
 /// longer. Of equal boxes that of more area counts, and of those the longest.
@@ -43,14 +52,12 @@ std::vector<Vec2d> outer_border(const Patch& patch, std::span<const Vec2d> place
     for (const auto& loop : patch.loops) {
         std::vector<Vec2d> border;
         Vec2d low = places[patch.start(loop[0])], high = low;
-        double twice = 0.0;
         for (const HalfEdge h : loop) {
             const Vec2d& at = border.emplace_back(places[patch.start(h)]);
             low = glm::min(low, at);
             high = glm::max(high, at);
-            twice += cross(at - border[0], places[patch.end(h)] - border[0]);
         }
-        const std::pair extent(high.x - low.x + high.y - low.y, twice);
+        const std::pair extent(high.x - low.x + high.y - low.y, area_in(border));
         if (extent <= most) continue;
         most = extent;
         outer = std::move(border);
@@ -70,8 +77,17 @@ double straighten(FlatChart& chart) {
     return box.longer();
 }
 
-/// Whether no place lies beyond the box round the outline, but for `most_beyond` of its longer
-/// side. Triangles without area may reach out of a map that is one to one.
+/// The area of a chart's triangles in the plane.
+double mapped_area(const FlatChart& chart) {
+    double twice = 0.0;
+    for (const auto& [i, j, k] : chart.triangles)
+        twice += cross(chart.places[j] - chart.places[i], chart.places[k] - chart.places[i]);
+    return 0.5 * twice;
+}
+
+/// Whether no place lies beyond the box round the outline, and the outline encloses the triangles'
+/// area, but for `most_beyond`. Triangles without area may reach out of a map that is one to one,
+/// and the border with the largest box may be theirs.
 bool outline_holds(const FlatChart& chart) {
     const auto box = [](std::span<const Vec2d> points) {
         std::array<Vec2d, 2> ends{points[0], points[0]};
@@ -81,7 +97,9 @@ bool outline_holds(const FlatChart& chart) {
     const auto [low, high] = box(chart.outline);
     const auto [least, most] = box(chart.places);
     const Vec2d beyond = glm::max(low - least, most - high);
-    return std::max(beyond.x, beyond.y) <= most_beyond * std::max(high.x - low.x, high.y - low.y);
+    const double side = std::max(high.x - low.x, high.y - low.y);
+    return std::max(beyond.x, beyond.y) <= most_beyond * side &&
+           mapped_area(chart) - area_in(chart.outline) <= most_beyond * side * side;
 }
 
 /// The chart of a patch with these places; triangles that close holes are left out.
