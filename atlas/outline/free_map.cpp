@@ -18,6 +18,10 @@ constexpr double keep_from_collapse = 0.8;  ///< longest step, relative to that 
 /// Iterations over which gains are averaged, and after which a descent is given up that will not
 /// reach the wanted energy: gains only get smaller by then.
 constexpr int gain_window = 3, before_giving_up = 8;
+/// Times the wanted energy above which a descent is given up after `settling` iterations: of 1,749
+/// that came to a wanted energy none was above 92 then.
+constexpr double hopeless = 200.0;
+constexpr int settling = 2;
 
 /// Triangles of the largest patch that is mapped directly; a larger one is mapped by way of one
 /// with a step_down-th of its triangles.
@@ -92,10 +96,9 @@ class Descent {
         : guess_(guess), places_(places), energy_(patch) {}
 
     int run(const FreeMapOptions& options) {
-        value_ = energy_(places_);
-        if (!guess_.usable() || !std::isfinite(value_)) return 0;
         Field gradient(places_.size());
-        energy_.gradient(places_, gradient);
+        value_ = energy_(places_, gradient);
+        if (!guess_.usable() || !std::isfinite(value_)) return 0;
         std::vector<double> before{value_};
         int done = 0;
         while (done < options.iterations) {
@@ -108,7 +111,6 @@ class Descent {
             ++done;
             before.push_back(value_);
             if (ends(before, options)) break;
-            energy_.gradient(places_, gradient);
             remember(old_places, old_gradient, gradient);
         }
         return done;
@@ -120,8 +122,9 @@ class Descent {
     /// Whether the descent ends, by its values so far: the first one and that of each iteration.
     static bool ends(const std::vector<double>& values, const FreeMapOptions& options) {
         const auto done = int(values.size()) - 1;
-        if (done <= gain_window) return false;
         const double value = values.back();
+        if (done >= settling && value > hopeless * options.wanted) return true;
+        if (done <= gain_window) return false;
         const double gain = (values[std::size_t(done - gain_window)] - value) / gain_window;
         if (gain < options.least_gain * (value - 1.0)) return true;
         return done >= before_giving_up &&
@@ -135,20 +138,21 @@ class Descent {
         });
     }
 
-    /// Moves along d, halving the step until the energy falls enough (Armijo); false, with nothing
-    /// moved, if it never does.
-    bool step_along(const Field& d, const Field& gradient) {
+    /// Moves along d, halving the step until the energy falls enough (Armijo), and sets the
+    /// gradient there; false, with nothing moved, if it never does.
+    bool step_along(const Field& d, Field& gradient) {
         const double slope = dot(d, gradient), before = value_;
         if (!(slope < 0.0)) return false;
         double step = std::min(1.0, keep_from_collapse * energy_.step_to_collapse(places_, d));
-        Field moved;
+        Field moved, there(gradient.size());
         for (int halvings = 0; halvings < 30; ++halvings, step *= 0.5) {
             moved = places_;
             add_scaled(moved, step, d);
-            const double after = energy_(moved);
+            const double after = energy_(moved, there);
             if (!(after <= before + 1e-4 * step * slope)) continue;
             value_ = after;
             places_ = std::move(moved);
+            gradient = std::move(there);
             return true;
         }
         return false;

@@ -46,11 +46,9 @@ class IsometryEnergy {
     /// Lays the patch's triangles flat; the patch need not outlive the object.
     explicit IsometryEnergy(const Patch& patch);
 
-    /// The energy of the map that puts the vertices at `places`; infinite where a triangle is
-    /// flipped.
-    double operator()(std::span<const Vec2d> places) const;
-    /// The gradient of the energy at each vertex. No triangle may be flipped.
-    void gradient(std::span<const Vec2d> places, std::span<Vec2d> result) const;
+    /// The energy of the map that puts the vertices at `places`, infinite where a triangle is
+    /// flipped, and its gradient at each vertex, which means nothing where the energy is infinite.
+    double operator()(std::span<const Vec2d> places, std::span<Vec2d> gradient) const;
     /// The largest t for which no triangle of places + t direction has collapsed yet.
     double step_to_collapse(std::span<const Vec2d> places, std::span<const Vec2d> direction) const;
 

@@ -38,36 +38,27 @@ IsometryEnergy::IsometryEnergy(const Patch& patch) {
     for (Flat& f : triangles_) f.weight /= all;
 }
 
-double IsometryEnergy::operator()(std::span<const Vec2d> places) const {
+double IsometryEnergy::operator()(std::span<const Vec2d> places, std::span<Vec2d> gradient) const {
+    std::fill(gradient.begin(), gradient.end(), Vec2d(0.0));
     double sum = 0.0;
     for (const Flat& f : triangles_) {
         const Vec2d& first = places[f.vertices[0]];
         const Vec2d a = places[f.vertices[1]] - first, b = places[f.vertices[2]] - first;
-        const double det = cross(a, b) / (f.x1 * f.y2);
+        const double det = cross(a, b) / (f.x1 * f.y2), inverse = 1.0 / (det * det);
         if (!(det > 0.0)) return std::numeric_limits<double>::infinity();
         const Vec2d j1 = a / f.x1, j2 = (b - f.x2 * j1) / f.y2;
-        sum += f.weight * (glm::dot(j1, j1) + glm::dot(j2, j2)) * (1.0 + 1.0 / (det * det));
-    }
-    return 0.25 * sum;
-}
-
-void IsometryEnergy::gradient(std::span<const Vec2d> places, std::span<Vec2d> result) const {
-    std::fill(result.begin(), result.end(), Vec2d(0.0));
-    for (const Flat& f : triangles_) {
-        const Vec2d& first = places[f.vertices[0]];
-        const Vec2d a = places[f.vertices[1]] - first, b = places[f.vertices[2]] - first;
-        const double det = cross(a, b) / (f.x1 * f.y2), inverse = 1.0 / (det * det);
-        const Vec2d j1 = a / f.x1, j2 = (b - f.x2 * j1) / f.y2;
         const double norm = glm::dot(j1, j1) + glm::dot(j2, j2);
+        sum += f.weight * norm * (1.0 + inverse);
         const double by_norm = 0.5 * f.weight * (1.0 + inverse);
         const double by_cross = -0.5 * f.weight * norm * inverse / (det * f.x1 * f.y2);
         const Vec2d by_j2 = by_norm / f.y2 * j2;
         const Vec2d by_a = (by_norm * j1 - f.x2 * by_j2) / f.x1 + by_cross * Vec2d(b.y, -b.x);
         const Vec2d by_b = by_j2 + by_cross * Vec2d(-a.y, a.x);
-        result[f.vertices[0]] -= by_a + by_b;
-        result[f.vertices[1]] += by_a;
-        result[f.vertices[2]] += by_b;
+        gradient[f.vertices[0]] -= by_a + by_b;
+        gradient[f.vertices[1]] += by_a;
+        gradient[f.vertices[2]] += by_b;
     }
+    return 0.25 * sum;
 }
 
 double IsometryEnergy::step_to_collapse(std::span<const Vec2d> places,
