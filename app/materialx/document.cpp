@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "app/base/json_text.h"
+
 namespace burl::materialx {
 
 namespace {
@@ -44,7 +46,10 @@ class ElementCopier {
         if (depth > deepest_element)
             throw invalid_file(path_, element.line,
                                fmt::format("elements are more than {} deep", deepest_element));
+        check_text(element.tag, element.line);
         for (const pugi::xml_attribute& one : from.attributes()) {
+            check_text(one.name(), element.line);
+            check_text(one.value(), element.line);
             if (element.find(one.name()))
                 throw invalid_file(path_, element.line,
                                    fmt::format("<{}> has \"{}\" twice", element.tag, one.name()));
@@ -56,6 +61,11 @@ class ElementCopier {
     }
 
   private:
+    void check_text(const std::string& text, std::size_t line) const {
+        if (!is_utf8(text))
+            throw invalid_file(path_, line, "the text is not UTF-8; save the file as UTF-8");
+    }
+
     const Lines& lines_;
     const std::string& path_;
 };

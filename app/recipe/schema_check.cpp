@@ -63,15 +63,6 @@ bool is_hex_color(const Parameter& p, const std::string& text) {
            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
 }
 
-bool is_utf8(const Json& text) {
-    try {
-        (void)text.dump();
-        return true;
-    } catch (const Json::type_error&) {
-        return false;  // dump() throws for invalid UTF-8
-    }
-}
-
 bool fits(const Parameter& p, const Json& value) {
     const auto number = [&p](const Json& v) { return number_fits(p, v); };
     switch (p.type) {
@@ -83,7 +74,7 @@ bool fits(const Parameter& p, const Json& value) {
             return value.is_array() && value.size() == p.count &&
                    std::all_of(value.begin(), value.end(), number);
         case ParameterType::text:
-            return value.is_string() && is_utf8(value);
+            return value.is_string() && is_utf8(value.get_ref<const std::string&>());
         case ParameterType::color:
             return value.is_string() && is_hex_color(p, value.get_ref<const std::string&>());
         case ParameterType::choice: {
@@ -215,7 +206,13 @@ Found check_object(const SchemaNode& node, const Json& value, const std::string&
         if (Found found = check_value(*kind, value["node"], join_path(path, "node"))) return found;
     for (const auto& item : value.items()) {
         const SchemaNode* child = node.child(item.key());
-        if (!child) return unknown_key(node.keys(), item.key(), path);
+        if (!child) {
+            if (path.empty() && item.key() == "made_from")
+                return RecipeProblem{"made_from", "this is the record of a bake, not a recipe"};
+            std::vector<std::string_view> known = node.keys();
+            if (path.empty()) known.emplace_back("define");  // which graphs are read with
+            return unknown_key(known, item.key(), path);
+        }
         if (Found found = check_value(*child, item.value(), join_path(path, item.key())))
             return found;
     }

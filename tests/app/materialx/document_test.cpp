@@ -235,6 +235,16 @@ TEST(MaterialXDocument, ElementsAreNotTooDeep) {
     EXPECT_THAT(problem_of(in_root(deep)).sentence, HasSubstr("more than 64 deep"));
 }
 
+TEST(MaterialXDocument, TextIsUtf8) {
+    const auto with_name = [](const std::string& name) {
+        return of_node("<constant name=\"n\" type=\"color3\" doc=\"" + name + "\"/>");
+    };
+    EXPECT_EQ(problem_of(with_name("gr\xc3\xbcn")).code, ExitCode::ok);
+    const Problem latin = problem_of(with_name("gr\xfcn"));
+    EXPECT_EQ(latin.code, ExitCode::invalid_file);
+    EXPECT_THAT(latin.sentence, HasSubstr(":4: the text is not UTF-8"));
+}
+
 TEST(MaterialXDocument, CutAnywhereItIsRefusedOrRead) {
     const std::string whole = with_graph(chain(2));
     for (std::size_t length = 0; length < whole.size(); length += 7) {
