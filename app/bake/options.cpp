@@ -131,7 +131,7 @@ void add_pictures(CLI::App& verb, BakeCommand& command) {
         ->capture_default_str();
     verb.add_option("--depth", command.depth,
                     "Bits per channel: 8 or 16 of .png, 32 of .exr (in place of its half floats)")
-        ->check(CLI::IsMember({8, 16, 32}))
+        ->check(one_of({"8", "16", "32"}))
         ->default_str("8");
     verb.add_option("--picture-format", command.picture_format,
                     "Pictures in and beside the output: png (the default), jpeg, webp or ktx2, "

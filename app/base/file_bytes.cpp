@@ -36,7 +36,8 @@ enum class Readable { regular, regular_or_pipe };
 /// Throws Error(io) unless the file is of a kind that may be read. Called before open() as well,
 /// since opening a pipe may wait for its writer.
 void refuse_unreadable(const std::string& path, const struct stat& status, Readable kind) {
-    if (S_ISDIR(status.st_mode)) throw read_error(path, EISDIR);
+    if (S_ISDIR(status.st_mode))
+        throw Error(ExitCode::io, fmt::format("{}: cannot be read: it is a folder", path));
     if (S_ISREG(status.st_mode)) return;
     if (kind == Readable::regular_or_pipe && S_ISFIFO(status.st_mode)) return;
     throw Error(ExitCode::io, fmt::format("{}: cannot be read: it is not a regular file", path));

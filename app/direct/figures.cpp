@@ -181,20 +181,21 @@ Figure gates_figure() {
     const auto part = [&](std::string_view scene, int octaves) {
         return fmt::format("{} {}", scene, fmt::format(fmt::runtime(cheap), octaves));
     };
-    return {"hundred-thousand-gates",
-            "Hart et al. 1999, figure 11: figures 1 to 6 with cheap arithmetic",
-            3,
-            {part("sample:teapot --recipe wood --set solid.scale=9 --light headlight --view "
-                  "25,24,2.6",
-                  1),
-             part("sample:teapot --recipe marble --light headlight --view 25,24,2.6", 2),
-             part("--plane 0,1,0,1 --recipe clouds --view 0,-12,3.5 --unlit", 2),
-             part("--plane 0,1,0,0 --recipe fire --set "
-                  "texture.input.noise.0.frequency=[2.5,0,1.2] --set texture.input.quadric.I=0.25 "
-                  "--set texture.input.quadric.J=0.15 --view 0,-90,2.6 --unlit",
-                  2),
-             part("sample:icosphere --recipe planet --light headlight --view 180,20,3.6", 4),
-             part("sample:icosphere --recipe moon --view 0,-7,3.6 --unlit", 4)}};
+    return {
+        "hundred-thousand-gates",
+        "Hart et al. 1999, figure 11: figures 1 to 6 with cheap arithmetic",
+        3,
+        {part("sample:teapot --recipe wood --set solid.scale=9 --light headlight --view "
+              "25,24,2.6",
+              1),
+         part("sample:teapot --recipe marble --light headlight --view 25,24,2.6", 2),
+         part("--plane 0,1,0,1 --recipe clouds --view 0,-12,3.5 --unlit", 2),
+         part("--plane 0,1,0,0 --recipe fire --set "
+              "'texture.input.noise.0.frequency=[2.5,0,1.2]' --set texture.input.quadric.I=0.25 "
+              "--set texture.input.quadric.J=0.15 --view 0,-90,2.6 --unlit",
+              2),
+         part("sample:icosphere --recipe planet --light headlight --view 180,20,3.6", 4),
+         part("sample:icosphere --recipe moon --view 0,-7,3.6 --unlit", 4)}};
 }
 
 std::vector<Figure> paper_1999() {
@@ -218,7 +219,7 @@ std::vector<Figure> paper_1999() {
         {"fire",
          "Hart et al. 1999, figure 4: fire on a single polygon",
          1,
-         {"--plane 0,1,0,0 --recipe fire --set texture.input.noise.0.frequency=[2.5,0,1.2] --set "
+         {"--plane 0,1,0,0 --recipe fire --set 'texture.input.noise.0.frequency=[2.5,0,1.2]' --set "
           "texture.input.noise.0.octaves=6 --set texture.input.quadric.I=0.25 --set "
           "texture.input.quadric.J=0.15 --view 0,-90,2.6 --size 360x360 --unlit"}},
         {"planet",

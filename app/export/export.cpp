@@ -29,6 +29,9 @@ Format format_of(const std::string& path) {
     if (extension == ".ply") return Format::ply;
     if (extension == ".stl") return Format::stl;
     if (extension == ".exr") return Format::exr;
+    if (path.empty()) throw Error(ExitCode::usage, "the output's name is empty");
+    if (std::error_code ignored; fs::is_directory(path, ignored))
+        throw Error(ExitCode::io, fmt::format("{}: is a folder, not a file", path));
     const std::string what = extension.empty()
                                  ? "has no extension"
                                  : fmt::format("has the unknown extension '{}'", extension);

@@ -58,14 +58,29 @@ std::vector<std::string> option_names(const CLI::App& verb) {
 }
 
 /// The sentence about an option on the verb's command line that the verb does not have, with the
-/// nearest one; empty where there is none.
-std::string unknown_option(const CLI::App& verb) {
+/// verb that has it, or the nearest one; empty where there is none.
+std::string unknown_option(const CLI::App& program, const CLI::App& verb) {
     const std::vector<std::string> unknown = verb.remaining();
     const auto found = std::ranges::find_if(
         unknown, [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
     if (found == unknown.end()) return "";
     const std::string name = found->substr(0, found->find('='));
+    for (const CLI::App* other : program.get_subcommands([](const CLI::App*) { return true; }))
+        if (other->get_option_no_throw(name) != nullptr)
+            return fmt::format("{} is no option of burl {}, but of burl {} ", name, verb.get_name(),
+                               other->get_name());
     return fmt::format("there is no option {}; {}", name, did_you_mean(name, option_names(verb)));
+}
+
+/// The sentence about a wrong option or argument of a verb.
+std::string wrong_argument(const CLI::App& verb, const CLI::ParseError& wrong) {
+    const std::string said = wrong.what(), name = said.substr(0, said.find(':'));
+    if (said.ends_with(" missing")) return name + " needs a value ";
+    if (said.find("At Most") != std::string::npos) return name + " is given more than once ";
+    const std::vector<std::string> left = verb.remaining();
+    if (left.empty()) return said + " ";
+    return fmt::format("nothing takes \"{}\"; lists have commas without spaces{} ", left[0],
+                       verb.get_name() == "bake" ? ", and burl batch takes several meshes" : "");
 }
 
 /// The sentence about a wrong command line, and the help to read.
@@ -73,9 +88,9 @@ std::string usage_sentence(const CLI::App& program, const CLI::ParseError& wrong
                            std::span<char*> arguments) {
     const std::vector<CLI::App*> chosen = program.get_subcommands();
     if (!chosen.empty()) {
-        const std::string unknown = unknown_option(*chosen[0]);
+        const std::string unknown = unknown_option(program, *chosen[0]);
         return fmt::format("{}(try `burl {} --help`)",
-                           unknown.empty() ? fmt::format("{} ", wrong.what()) : unknown,
+                           unknown.empty() ? wrong_argument(*chosen[0], wrong) : unknown,
                            chosen[0]->get_name());
     }
     if (arguments.size() < 2 || program.get_option_no_throw(arguments[1]) != nullptr)

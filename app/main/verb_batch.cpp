@@ -134,10 +134,20 @@ void check_meshes(const std::vector<std::string>& meshes) {
     }
 }
 
+/// Throws Error for a command line that names no outputs, before each bake says so.
+void check_output(const BatchCommand& command) {
+    const auto is_output = [](const std::string& option) { return option.starts_with("output="); };
+    if (std::ranges::none_of(command.options(), is_output))
+        throw Error(ExitCode::usage, "batch: --output is required, as -o '{mesh}_{recipe}.glb'");
+}
+
 /// The bakes that the command lists, in its shard.
 std::vector<BatchEntry> entries_of(const BatchCommand& command) {
     const BatchShard shard = batch_shard(command.shard);
-    if (!command.is_manifest()) check_meshes(command.what);
+    if (!command.is_manifest()) {
+        check_meshes(command.what);
+        check_output(command);
+    }
     return command.is_manifest()
                ? read_manifest(command.what.front(), shard, command.run.meshes.read.named)
                : matrix_of_options(command.what, command.options(), shard);

@@ -199,7 +199,7 @@ void add_eval(CLI::App& program) {
     verb->add_option("--points", command->points, "Points, lines of x,y,z (.csv)")->required();
     verb->add_option("--channel", command->channel,
                      "Channel of the recipe's material in place of its colour")
-        ->check(CLI::IsMember(channel_names()));
+        ->check(one_of(channel_names()));
     auto* mesh = verb->add_option(
         "--mesh", command->mesh,
         "Mesh or sample whose shape masks of the texture are of, each at the mesh's "

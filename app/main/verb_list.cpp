@@ -156,7 +156,6 @@ void add_list(CLI::App& program) {
             "what", *what,
             "recipes, materials, meshes, atlases, noises, nodes, parameters, figures, environments "
             "or gl")
-        ->required()
         ->check(one_of({"recipes", "materials", "meshes", "atlases", "noises", "nodes",
                         "parameters", "figures", "environments", "gl"}));
     auto* gl = verb->add_option("--gl", *platform,
@@ -165,6 +164,10 @@ void add_list(CLI::App& program) {
                    ->capture_default_str();
     verb->add_flag("--json", *json, "Print JSON");
     verb->callback([what, platform, gl, json] {
+        if (what->empty())
+            throw Error(ExitCode::usage,
+                        "list what? recipes, materials, meshes, atlases, noises, nodes, "
+                        "parameters, figures, environments or gl");
         if (gl->count() > 0 && *what != "gl")
             throw Error(ExitCode::usage,
                         fmt::format("list {}: --gl does nothing there, leave it out", *what));

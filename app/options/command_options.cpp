@@ -239,16 +239,15 @@ CLI::Validator in_range(double low, double high) {
 }
 
 CLI::Validator one_of(const std::vector<std::string>& words) {
-    const CLI::Validator member = CLI::IsMember(words);
-    return {[=](std::string& text) {
-                std::string problem = member(text);
-                if (problem.empty()) return problem;
+    return {[=](std::string& text) -> std::string {
+                if (std::ranges::find(words, text) != words.end()) return "";
                 const std::vector<std::string_view> views(words.begin(), words.end());
                 const std::string_view nearest = nearest_word(text, views);
-                if (!nearest.empty()) problem += fmt::format("; did you mean {}?", nearest);
-                return problem;
+                return fmt::format(
+                    "{} is none of {}{}", text, fmt::join(words, ", "),
+                    nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
             },
-            member.get_description()};
+            CLI::IsMember(words).get_description()};
 }
 
 void add_threads(CLI::App& verb, int& threads) {

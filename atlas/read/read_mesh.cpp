@@ -2,8 +2,10 @@
 #include "atlas/read/read_mesh.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 #include "atlas/base/error.h"
 #include "atlas/base/stop.h"
@@ -24,6 +26,8 @@ Parser parser_for(const std::string& path) {
     if (extension == ".stl") return parse_stl;
     if (extension == ".off") return parse_off;
     if (extension == ".gltf" || extension == ".glb") return parse_gltf;
+    if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
+        throw Error(ExitCode::io, fmt::format("cannot read {}: it is a folder, not a file", path));
     throw Error(ExitCode::unsupported,
                 fmt::format("{}: cannot read {}; use .obj, .ply, .stl, .off, .gltf or .glb", path,
                             extension.empty() ? "a mesh without extension"

@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadBench{"scale --size 1000", "bench scale: --size does nothing"},
         BadBench{"noise --recipe marble", "bench noise: --recipe does nothing"},
         BadBench{"mesh_io --simd AVX2", "bench mesh_io: --simd does nothing"},
-        BadBench{"plot F.json -o F.svg", "suite: plot not in"},
+        BadBench{"plot F.json -o F.svg", "suite: plot is none of atlas, "},
         BadBench{"noise F.json", "only synthesis, resynthesis, levels, uv take a file"},
         BadBench{"filter --size 10000000",
                  "bench filter: --size 10000000 must be 8 to 4,096 texels"},

@@ -109,6 +109,26 @@ TEST_P(RefusedInput, OneSentenceAndNoOutput) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
+    CommandLine, RefusedInput,
+    testing::Values(
+        RefusedCase{"ListOfNothing", "list", 1, "list what? recipes, materials,"},
+        RefusedCase{"ListOfWhatThereIsNot", "list foo", 1, "foo is none of recipes, materials,"},
+        RefusedCase{"NoValue", "bake sample:cube -o OUT/a.glb --size", 1, "--size needs a value"},
+        RefusedCase{"TwoValues", "bake sample:cube -o OUT/a.glb --size 8 --size 9", 1,
+                    "--size is given more than once"},
+        RefusedCase{"TwoMeshes", "bake sample:cube a.obj -o OUT/a.glb", 1,
+                    "nothing takes \"a.obj\"; lists have commas without spaces, and burl batch"},
+        RefusedCase{"OptionOfAnotherVerb", "bake sample:cube -o OUT/a.glb --light sun", 1,
+                    "--light is no option of burl bake, but of burl render"},
+        RefusedCase{"NoOutputs", "batch sample:cube -r oak", 1, "batch: --output is required"},
+        RefusedCase{"NoName", "bake sample:cube -o ''", 1, "the output's name is empty"},
+        RefusedCase{"AFolderAsMesh", "bake FOLDER/ -o OUT/a.glb", 2, "is a folder, not a file"},
+        RefusedCase{"AFolderAsOutput", "bake sample:cube -o OUT/", 2, "is a folder, not a file"},
+        RefusedCase{"AFolderAsRecipe", "bake sample:cube -o OUT/a.glb -r FOLDER/", 2,
+                    "is a folder"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
     Program, RefusedInput,
     testing::Values(
         RefusedCase{"MetricsOfNoScene", "metrics FOLDER/scene-out-of-range.gltf", 3, "glTF.scene"},
