@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "app/bake/up_to_date.h"
-#include "app/base/real_path.h"
 #include "app/base/stopwatch.h"
 #include "atlas/base/memory.h"
+#include "atlas/base/real_path.h"
 
 namespace burl {
 namespace {

@@ -12,9 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "app/base/real_path.h"
 #include "app/base/temporary_names.h"
 #include "atlas/base/error.h"
+#include "atlas/base/real_path.h"
 
 namespace burl {
 namespace {

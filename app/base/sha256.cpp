@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/base/file_bytes.h"
-#include "app/base/real_path.h"
+#include "atlas/base/real_path.h"
 
 namespace burl {
 

@@ -10,11 +10,11 @@
 #include <unistd.h>
 
 #include "app/base/json_text.h"
-#include "app/base/real_path.h"
 #include "app/recipe/presets.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
+#include "atlas/base/real_path.h"
 #include "atlas/file/file_buffer.h"
 #include "atlas/file/file_extension.h"
 #include "atlas/gltf/container.h"

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "app/base/real_path.h"
 #include "app/export/export.h"
 #include "app/export/gltf_file.h"
 #include "app/export/gltf_scene.h"
 #include "app/image/picture_read.h"
 #include "app/kept/carve.h"
 #include "atlas/base/error.h"
+#include "atlas/base/real_path.h"
 #include "atlas/file/file_extension.h"
 #include "atlas/gltf/container.h"
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "app/base/real_path.h"
 #include "app/editor/session/step_words.h"
+#include "atlas/base/real_path.h"
 
 namespace burl {
 

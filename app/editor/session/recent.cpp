@@ -10,8 +10,8 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
-#include "app/base/real_path.h"
 #include "atlas/base/error.h"
+#include "atlas/base/real_path.h"
 
 namespace burl {
 

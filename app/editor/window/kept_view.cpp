@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "app/base/json_text.h"
-#include "app/base/real_path.h"
 #include "atlas/base/json.h"
+#include "atlas/base/real_path.h"
 
 namespace burl {
 

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "app/base/messages.h"
-#include "app/base/real_path.h"
 #include "app/image/picture_read.h"
 #include "app/recipe/edit/recipe_json.h"
+#include "atlas/base/real_path.h"
 
 namespace burl {
 

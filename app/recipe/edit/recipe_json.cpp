@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "app/base/real_path.h"
 #include "app/image/picture_read.h"
 #include "app/recipe/edit/apply.h"
 #include "app/recipe/edit/check.h"
@@ -16,6 +15,7 @@
 #include "app/recipe/spelling.h"
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
+#include "atlas/base/real_path.h"
 #include "procedural/graph/json.h"
 #include "procedural/model/members.h"
 

@@ -1,5 +1,5 @@
 // Names of files that are there, that are not, and of links.
-#include "app/base/real_path.h"
+#include "atlas/base/real_path.h"
 
 #include <gtest/gtest.h>
 

@@ -9,12 +9,12 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/embedded.h"
-#include "app/base/real_path.h"
 #include "app/editor/session/autosave.h"
 #include "app/image/image_io.h"
 #include "app/recipe/edit/images.h"
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
+#include "atlas/base/real_path.h"
 #include "tests/app/support/scratch_folder.h"
 
 namespace burl {

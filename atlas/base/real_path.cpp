@@ -1,4 +1,4 @@
-#include "app/base/real_path.h"
+#include "atlas/base/real_path.h"
 
 #include <filesystem>
 
