@@ -101,8 +101,19 @@ std::string clash(const BatchBake& bake, const FileNames& readers, FileNames& wr
     return {};
 }
 
-/// Reports bakes that write the same file as another bake, or a file that a bake or the batch
-/// reads. Returns all files read and written.
+/// The sentence about a file of the bake, however it is named after the output, that the manifest
+/// may not name; empty where there is none.
+std::string outside(const BatchCommand& command, const BatchBake& bake) {
+    if (!command.is_manifest() || command.what[0] == "-") return {};
+    for (const std::string& file : bake.files())
+        if (!may_name(command.run.meshes.read.named, command.what[0],
+                      std::filesystem::absolute(file).string()))
+            return fmt::format("{} {}", file, outside_rule);
+    return {};
+}
+
+/// Reports bakes that write the same file as another bake, a file that a bake or the batch reads,
+/// or one outside the manifest's folder. Returns all files read and written.
 CommandFiles check_outputs(const BatchCommand& command, const std::vector<BatchBake>& bakes,
                            Problems& problems) {
     FileNames readers, writers;
@@ -113,6 +124,8 @@ CommandFiles check_outputs(const BatchCommand& command, const std::vector<BatchB
     for (const BatchBake& bake : bakes) {
         const std::string problem = clash(bake, readers, writers);
         if (!problem.empty()) problems.add(ExitCode::usage, bake.where, problem);
+        const std::string lies_out = outside(command, bake);
+        if (!lies_out.empty()) problems.add(ExitCode::invalid_file, bake.where, lies_out);
     }
     return {std::move(readers), std::move(writers)};
 }

@@ -11,7 +11,7 @@ namespace burl {
 enum class NamedFiles { below, anywhere };
 
 /// Whether `name`, looked for from the folder of `file` on, lies in that folder or below it.
-/// Symbolic links count as what they end at; what does not exist lies where its name says.
+/// Symbolic links count as what they end at, which need not exist.
 bool lies_below(const std::string& file, const std::string& name);
 
 /// Whether `file` may name `name`, which is looked for from its folder on.

@@ -112,16 +112,43 @@ TEST_F(Confined, PathsOfManifests) {
     EXPECT_EQ(run("batch ../out/cube.obj -s 16 -o ../out/again.png").exit_code, 0);
 }
 
+TEST_F(Confined, FilesNamedAfterOutputsOfManifests) {
+    scratch_.write("out/old", "precious");
+    for (const auto& [link, output, more] :
+         {std::tuple{"x.mtl", "x.obj", Json::object()},
+          {"x.png", "x.obj", Json::object()},
+          {"x.png", "x.png", Json::object()},
+          {"x.png.burl.json", "x.png", Json::object()},
+          {"x.1.png", "x.png", Json{{"levels", "all"}}},
+          {"x.0002.png", "x.png", Json{{"animate", "solid.scale=1:2"}, {"frames", 2}}}})
+        for (const char* end : {"../out/old", "../out/new"}) {
+            const std::string in = scratch_ / fmt::format("in/{}", link);
+            fs::create_symlink(end, in);
+            Json bake{{"mesh", "sample:cube"}, {"size", 16}, {"output", output}};
+            bake.update(more);
+            scratch_.write("in/m.json", Json{{"bakes", Json::array({bake})}}.dump());
+            const Outcome outcome = run("batch m.json");
+            EXPECT_EQ(outcome.exit_code, 3) << link << outcome.err;
+            EXPECT_NE(outcome.err.find(outside_rule), std::string::npos) << outcome.err;
+            EXPECT_EQ(slurp(scratch_ / "out/old"), "precious");
+            EXPECT_FALSE(fs::exists(scratch_ / "out/new"));
+            fs::remove(in);
+        }
+}
+
 TEST(LiesBelow, FollowsLinksAndDots) {
     const Scratch scratch;
     fs::create_directories(scratch.path() / "a/b");
     fs::create_directories(scratch.path() / "ab");
     fs::create_symlink(scratch.path() / "ab", scratch.path() / "a/out");
     fs::create_symlink("b", scratch.path() / "a/in");
+    fs::create_symlink("../new", scratch.path() / "a/new_out");
+    fs::create_symlink("b/new", scratch.path() / "a/new_in");
     const std::string file = scratch / "a/file";
-    for (const char* name : {"x", "b/x", "in/x", "missing/x", "b/../x", "./x", "b/../../a/x"})
+    for (const char* name :
+         {"x", "b/x", "in/x", "missing/x", "new_in", "b/../x", "./x", "b/../../a/x"})
         EXPECT_TRUE(lies_below(file, name)) << name;
-    for (const char* name : {"../x", "out/x", "out", "..", ".", "../ab/x", "/etc/passwd",
+    for (const char* name : {"../x", "out/x", "out", "new_out", "..", ".", "../ab/x", "/etc/passwd",
                              "in/../../x", "missing/../../x"})
         EXPECT_FALSE(lies_below(file, name)) << name;
     EXPECT_TRUE(lies_below(file, scratch / "a/b/x"));
