@@ -11,6 +11,9 @@ namespace burl {
 namespace {
 
 constexpr double least_flatness = 0.9999, most_thickness = 0.002;
+/// Share of a patch's lesser side to which it may cover places twice, where that is less than
+/// `most_overlap`: of a patch as thin as rounding two triangles could lie on each other whole.
+constexpr double most_share = 0.25;
 
 Vec3d doubled_area(const Patch& patch, std::size_t t) {
     const Triangle& v = patch.triangles[t];
@@ -55,7 +58,8 @@ std::optional<PlanarMap> map_planar(const Patch& patch) {
     const double area = area_of(patch);
     const Vec2d size = r.high - r.low;
     if (!(size.x > 0.0) || !(size.y > 0.0) || area > r.area() * (1.0 + 1e-6)) return std::nullopt;
-    if (covers_twice(patch, flat, most_overlap)) return std::nullopt;
+    const double overlap = std::min(most_overlap, most_share * std::min(size.x, size.y));
+    if (covers_twice(patch, flat, overlap)) return std::nullopt;
     PlanarMap map;
     for (const Vec2d& p : flat)
         map.uv.push_back((Vec2d(glm::dot(p, r.axis), cross(r.axis, p)) - r.low) / size);

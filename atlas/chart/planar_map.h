@@ -20,7 +20,7 @@ struct PlanarMap {
 
 /// The map of a connected patch whose triangles all face one way in one plane (normals' sum at
 /// least 0.9999 of the area, no thicker than 0.002 of the area's root, no triangle reversed, none
-/// over another by more than most_overlap); nothing for any other.
+/// over another by more than most_overlap or a quarter of the lesser side); nothing for any other.
 std::optional<PlanarMap> map_planar(const Patch& patch);
 
 }  // namespace burl

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "atlas/chart/planar_map.h"
 #include "tests/atlas/support/made_patches.h"
 
 namespace burl {
@@ -139,6 +140,21 @@ TEST(Covering, AgreesWithRandomPlaces) {
     }
     EXPECT_GT(doubled, 5);
     EXPECT_LT(doubled, 55);
+}
+
+/// Two triangles on each other, both facing up, and four without area that join them.
+Patch doubled_triangle(double height) {
+    const Vec3d a(0.0), b(1.0, 0.0, 0.0), c(1.0, height, 0.0);
+    return made::whole(
+        made::mesh_of({a, b, c, a, b, c, a, a},
+                      {{0, 1, 2}, {3, 4, 5}, {1, 0, 6}, {6, 0, 3}, {7, 3, 0}, {4, 3, 7}}));
+}
+
+TEST(PlanarMap, TrianglesOnEachOtherAreNoMapHoweverThin) {
+    for (const double height : {0.3, 16.0 * frame_step, 2.0 * frame_step, frame_step})
+        EXPECT_FALSE(map_planar(doubled_triangle(height))) << height;
+    const Mesh one = made::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, frame_step, 0}}, {{0, 1, 2}});
+    EXPECT_TRUE(map_planar(made::whole(one)));
 }
 
 }  // namespace
