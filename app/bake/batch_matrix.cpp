@@ -67,7 +67,12 @@ std::string in_name(const std::string& key, const Json& value, const MatrixKeys&
     if (const std::size_t hash = text.find(".mtlx#"); hash != std::string::npos)
         return text.substr(hash + 6);
     if (text.starts_with("sample:")) return text.substr(7);
-    return keys.names_file(key, text) ? fs::path(text).stem().string() : text;
+    if (!keys.names_file(key, text)) return text;
+    const std::string stem = fs::path(text).stem().string();
+    if (stem == "." || stem == "..")
+        throw Error(ExitCode::invalid_file,
+                    fmt::format("{}: \"{}\" would be a folder in the output's name", text, stem));
+    return stem;
 }
 
 /// The template with every {KEY} replaced.

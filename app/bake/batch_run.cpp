@@ -112,9 +112,9 @@ void run(BatchBake& bake, SharedMesh& mesh, LaterBake later) {
         bake.status = "up to date";
         return;
     }
-    make_folders(bake);
     const auto synthesizer = bake.job.synthesizer();
     const bool had_mesh = mesh.read(bake.job);
+    make_folders(bake);
     const StageRecords before = mesh.pipeline().records();
     bake.job.run(mesh.pipeline(), synthesizer, had_mesh ? 0.0 : mesh.seconds(), later);
     if (had_mesh) {

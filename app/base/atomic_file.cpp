@@ -245,7 +245,7 @@ void AtomicFile::finish() {
 /// and it needs a name.
 void AtomicFile::name_beside_old(TemporaryNames& names) {
     for (int attempt = 0; attempt < most_left_overs; ++attempt)
-        if (!remove_left_over(temporary_name(real_path_, attempt))) break;
+        remove_left_over(temporary_name(real_path_, attempt));
     handle_ = handle_path(descriptor_);
     if (temporary_.empty() && ::access(real_path_.c_str(), F_OK) == 0) take_name(names);
 }

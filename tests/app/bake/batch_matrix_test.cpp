@@ -70,6 +70,7 @@ TEST(BatchMatrix, WhatCannotBeIsRefused) {
     refused(R"({"mesh": [], "output": "a.png"})");
     refused(R"({"mesh": "a.obj", "output": "{material}.png"})");
     refused(R"({"mesh": "a.obj", "set": ["a=1"], "output": "{set}.png"})");
+    refused(R"({"mesh": "in/...obj", "output": "out/{mesh}/a.png"})");
     Json huge;  // 256^8 = 2^64 bakes, which is 0 in 64 bits
     for (const char* key :
          {"mesh", "recipe", "size", "atlas", "levels", "crease", "kernel", "pose"})
