@@ -1,8 +1,10 @@
 // burl_replay TARGET [SECONDS [SEED] | FILE | FOLDER]: reads all first inputs of a target, then for
 // so many seconds mutations of them, the same ones in every run with the same seed; or reads the
 // file alone; or writes the first inputs into the folder, for libFuzzer. Inputs that end in
-// another exception than Error are kept as TARGET.found-N, the slowest as TARGET.slow, and the one
-// that is read as TARGET.input, should a sanitizer end the program. Any compiler will do.
+// another exception than Error are kept as TARGET.found-N, the slowest of those that take over a
+// second as TARGET.slow, and the one that is read as TARGET.input, which stays where a sanitizer
+// ends the program. Any compiler will do.
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <exception>
@@ -39,12 +41,13 @@ class Reading {
             write(file(fmt::format("found-{}", found_++)), bytes);
         }
         const std::chrono::duration<double> taken = Clock::now() - begin;
-        if (taken.count() > slowest_) write(file("slow"), bytes);
+        if (taken.count() > std::max(slowest_, 1.0)) write(file("slow"), bytes);
         slowest_ = std::max(slowest_, taken.count());
         ++runs_;
     }
-    /// Whether nothing was found.
+    /// Whether nothing was found, after the last input.
     bool report() const {
+        std::filesystem::remove(file("input"));
         fmt::print("{} runs, the slowest {:.2f} s, {} found\n", runs_, slowest_, found_);
         return found_ == 0 && runs_ > 0;
     }
