@@ -330,8 +330,8 @@ class ObjPictures {
 
 }  // namespace
 
-Scene load_obj_scene(const std::string& path, NamedFiles named) {
-    const Mesh mesh = read_mesh(path);
+Scene load_obj_scene(const std::string& path, NamedFiles named, std::uint64_t most_triangles) {
+    const Mesh mesh = read_mesh(path, {.most_triangles = most_triangles});
     const MaterialUse use = find_materials(path);
     Scene pictures;
     const std::vector<std::optional<ObjMaterial>> found =
