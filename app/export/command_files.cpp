@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include <sys/stat.h>
@@ -18,6 +19,7 @@
 #include "atlas/file/file_buffer.h"
 #include "atlas/file/file_extension.h"
 #include "atlas/gltf/container.h"
+#include "atlas/read/obj_libraries.h"
 
 namespace burl {
 
@@ -117,17 +119,36 @@ void add_named_by_gltf(const std::string& path, bool all, NamedFiles named,
     if (all) add_named_by_uri(document, "images", folder, named, files);
 }
 
-/// Appends the material libraries of an OBJ, the rest of every line "mtllib NAME".
-void add_named_by_obj(const std::string& path, std::vector<std::string>& files) {
-    const FileBuffer file = read_file(path);
-    const std::string_view text = file.text(), keyword = "mtllib ";
-    for (std::size_t at = text.find(keyword); at != std::string_view::npos;
-         at = text.find(keyword, at + 1)) {
-        if (at > 0 && text[at - 1] != '\n' && text[at - 1] != '\r') continue;
-        const std::size_t begin = at + keyword.size();
-        std::string_view name = text.substr(begin, text.find_first_of("\r\n", begin) - begin);
-        while (name.ends_with(' ') || name.ends_with('\t')) name.remove_suffix(1);
-        if (!name.empty()) files.push_back((fs::path(path).parent_path() / name).string());
+/// Appends the pictures of a material library that are there, in its folder or that of the OBJ.
+/// Others cannot be overwritten, and a small file may name many.
+void add_pictures_of(const std::string& library, const fs::path& obj_folder,
+                     std::vector<std::string>& files) {
+    const FileBuffer file = read_file(library);
+    std::set<fs::path> known;
+    for (const std::string& name : pictures_of_library(file.text()))
+        for (const fs::path& folder : {fs::path(library).parent_path(), obj_folder}) {
+            std::error_code ignored;
+            const fs::path picture = folder / name;
+            if (known.insert(picture).second && fs::exists(picture, ignored))
+                files.push_back(picture.string());
+        }
+}
+
+/// Appends the material libraries of an OBJ that are there, and the pictures of those that `named`
+/// lets be read.
+void add_named_by_obj(const std::string& path, NamedFiles named, std::vector<std::string>& files) {
+    const fs::path folder = fs::path(path).parent_path();
+    std::set<std::string> known;
+    for (const std::string& name : libraries_of(read_file(path))) {
+        const std::string library = (folder / name).string();
+        std::error_code ignored;
+        if (!fs::exists(library, ignored) || !known.insert(real_path(library)).second) continue;
+        files.push_back(library);
+        if (!may_name(named, path, name)) continue;
+        try {
+            add_pictures_of(library, folder, files);
+        } catch (const Error&) {
+        }
     }
 }
 
@@ -194,7 +215,7 @@ std::vector<std::string> files_of_mesh(const std::string& mesh_path, MeshFiles w
     const bool all = which == MeshFiles::named;
     try {
         if (has_gltf_extension(mesh_path)) add_named_by_gltf(mesh_path, all, named, files);
-        if (all && lower_extension(mesh_path) == ".obj") add_named_by_obj(mesh_path, files);
+        if (all && lower_extension(mesh_path) == ".obj") add_named_by_obj(mesh_path, named, files);
     } catch (const Error&) {
     }
     return files;

@@ -69,7 +69,7 @@ void check_scene_name(const std::string& out);
 
 enum class MeshFiles {
     read,   ///< the files that the mesh is made of: its own and a glTF's buffers
-    named,  ///< besides those of `read`, images of a glTF and material libraries of an OBJ
+    named,  ///< besides those of `read`, images of a glTF, and an OBJ's libraries with pictures
 };
 
 /// The files of a mesh, of a glTF those that `named` lets be read; empty for a sample mesh or an

@@ -11,7 +11,9 @@
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"
+#include "atlas/file/text_scanner.h"
 #include "atlas/mesh/mesh_builder.h"
+#include "atlas/read/obj_libraries.h"
 
 namespace burl {
 
@@ -21,18 +23,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t corners_searched = 16;  ///< of a face, which are searched one by one
 
-/// The paths that a line mtllib names in the folder: one with spaces where there is such a file,
-/// else one per word.
-std::vector<std::string> libraries_of(std::string_view line, const fs::path& folder) {
-    std::error_code ignored;
-    if (fs::exists(folder / line, ignored)) return {std::string(line)};
-    std::vector<std::string> words;
-    for (std::size_t begin = 0; begin < line.size();) {
-        const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
-        if (end > begin) words.emplace_back(line.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return words;
+/// Prints a line of the file as one line. A blank keeps a `\` at its end from joining the next one.
+void put_line(ObjText& text, std::string_view keyword, std::string_view line) {
+    std::string joined;
+    if (line.find('\\') != std::string_view::npos) line = joined = as_one_line(line);
+    put(text, FMT_COMPILE("{}{}{}\n"), keyword, line, line.ends_with('\\') ? " " : "");
 }
 
 /// A new text for an OBJ whose faces have been given other texture coordinates.
@@ -260,13 +255,13 @@ void ObjRewriter::use(std::uint32_t material, const std::string& name) {
     const std::size_t wanted = material == no_index ? no_material : material;
     if (used_ == wanted) return;
     used_ = wanted;
-    put(statements_, FMT_COMPILE("usemtl {}\n"), material == no_index ? name + "_none" : name);
+    put_line(statements_, "usemtl ", material == no_index ? name + "_none" : name);
 }
 
 void ObjRewriter::print_statements(const std::string& material) {
     for (const ObjStatement& statement : source_.statements) {
         if (statement.kind == ObjStatement::Kind::text) {
-            put(statements_, FMT_COMPILE("{}\n"), statement.text);
+            put_line(statements_, "", statement.text);
         } else if (statement.kind == ObjStatement::Kind::element) {
             print_element(statement);
         } else if (is_carved(statement.face)) {
@@ -286,14 +281,14 @@ void ObjRewriter::print_libraries(ObjText& text) const {
     if (!keeps_faces()) return;
     const fs::path from = fs::absolute(source_.file.path).parent_path().lexically_normal(),
                    to = fs::absolute(content_.path).parent_path().lexically_normal();
-    for (const std::string_view line : source_.libraries) {
-        if (from == to) put(text, FMT_COMPILE("mtllib {}\n"), line);
+    for (const std::string& line : source_.libraries) {
+        if (from == to) put_line(text, "mtllib ", line);
         for (const std::string& library :
              from == to ? std::vector<std::string>() : libraries_of(line, from)) {
             const fs::path path(library);
-            put(text, FMT_COMPILE("mtllib {}\n"),
-                (path.is_absolute() ? path : (from / path).lexically_relative(to))
-                    .generic_string());
+            put_line(text, "mtllib ",
+                     (path.is_absolute() ? path : (from / path).lexically_relative(to))
+                         .generic_string());
         }
     }
 }
@@ -307,7 +302,7 @@ void ObjRewriter::print_points(ObjText& text) const {
         if (has_color)
             print_point(text, places_[i], &place_colors_[i]);
         else if (places_[i] == source_.faces.points[i] && !colored)
-            put(text, FMT_COMPILE("{}\n"), source_.points[i]);
+            put_line(text, "", source_.points[i]);
         else
             print_point(text, places_[i]);
     }
@@ -321,7 +316,7 @@ void ObjRewriter::print_normals(ObjText& text) const {
         if (turned)
             print_normal(text, turn(source_.faces.normals.values[i]));
         else
-            put(text, FMT_COMPILE("{}\n"), source_.normals[i]);
+            put_line(text, "", source_.normals[i]);
     }
     for (const Vec3f& normal : own_normals_) print_normal(text, normal);
 }
@@ -341,7 +336,7 @@ ObjText ObjRewriter::text(const std::string& mtl_name, const std::string& materi
     print_libraries(text);
     print_points(text);
     for (std::size_t i = 0; keeps_faces() && i < source_.uvs.size(); ++i)
-        put(text, FMT_COMPILE("{}\n"), source_.uvs[i]);
+        put_line(text, "", source_.uvs[i]);
     text.append(lines_.text);
     print_normals(text);
     text.append(statements_);

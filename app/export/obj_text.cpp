@@ -27,12 +27,14 @@ std::string one_line(std::string name) {
     for (char& c : name) {
         if (static_cast<unsigned char>(c) < ' ') c = '_';
     }
+    if (name.ends_with('\\')) name.back() = '_';
     return name.empty() ? "mesh" : name;
 }
 
 std::string without_spaces(std::string name) {
     for (char& c : name)
         if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == '\x7f') c = '_';
+    if (name.ends_with('\\')) name.back() = '_';
     return name;
 }
 

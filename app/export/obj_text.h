@@ -21,11 +21,12 @@ void put(ObjText& text, Values&&... values) {
     fmt::format_to(std::back_inserter(text), std::forward<Values>(values)...);
 }
 
-/// The name with control characters replaced, since it ends at the line's end and must not start
-/// another line; "mesh" for an empty name.
+/// The name with control characters replaced, and a `\` at its end, since it ends at the line's end
+/// and must not start another line, nor join it; "mesh" for an empty name.
 std::string one_line(std::string name);
 
-/// The name with spaces and "#" replaced, which end names or lines for readers.
+/// The name with spaces and "#" replaced, which end names or lines for readers, and a `\` at its
+/// end, which joins lines.
 std::string without_spaces(std::string name);
 
 /// For each corner the numbers, from 1, of its vt and vn lines; the normals of the vn lines; and

@@ -94,7 +94,8 @@ RenderedFrames scene_frames(const RenderCommand& command, CommandFiles& files) {
     const auto drawn = std::make_shared<DrawnScene>();
     drawn->views = command.frame_views();
     drawn->picture = options.picture_options();
-    drawn->scene = load_scene(options.scene, options.pose, options.meshes.read.named);
+    const ReadOptions& read = options.meshes.read;
+    drawn->scene = load_scene(options.scene, options.pose, read.named, read.most_triangles);
     for (const std::string& note : drawn->scene.notes) warn(note);
     files.read(drawn->scene.files);
     turn(drawn->scene, frame_transform(options.meshes.frame));

@@ -66,7 +66,7 @@ void check_pictures(const MetricsCommand& command, const Recipe& recipe, bool uv
                     const std::vector<AtlasKind>& kinds) {
     if (command.image.empty()) return;
     CommandFiles files;
-    files.read(files_of_mesh(command.mesh));
+    files.read(files_of_mesh(command.mesh, MeshFiles::named, command.meshes.read.named));
     files.read(files_of_recipe(command.recipe.recipe, recipe));
     for (const char* topic : picture_topics) {
         if (uvs) files.write(measured_picture(command.image, "uv", topic));

@@ -18,8 +18,10 @@ namespace {
 
 void run_render(const RenderCommand& command) {
     CommandFiles files;
-    files.read(files_of_mesh(command.options.scene));
-    if (is_pose_file(command.options.pose)) files.read(files_of_mesh(command.options.pose));
+    const NamedFiles named = command.options.meshes.read.named;
+    files.read(files_of_mesh(command.options.scene, MeshFiles::named, named));
+    if (is_pose_file(command.options.pose))
+        files.read(files_of_mesh(command.options.pose, MeshFiles::named, named));
     files.read(command.options.light.files());
     for (const std::string& path : command.paths()) files.write(path);
     if (!command.report.empty() && command.report != "-") files.write(command.report);

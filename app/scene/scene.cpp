@@ -13,8 +13,8 @@ namespace burl {
 
 namespace {
 
-Scene load_plain_mesh(const std::string& path) {
-    const Mesh mesh = read_mesh(path);
+Scene load_plain_mesh(const std::string& path, std::uint64_t most_triangles) {
+    const Mesh mesh = read_mesh(path, {.most_triangles = most_triangles});
     const bool colored = !mesh.corners.colors.empty();
     return scene_from_mesh(mesh, {colored ? Vec4f(1.0f) : default_grey, -1});
 }
@@ -44,7 +44,8 @@ void add_triangle(Surface& surface, const Mesh& mesh, const std::vector<Vec3f>& 
 
 }  // namespace
 
-Scene load_scene(const std::string& path, const std::string& pose, NamedFiles named) {
+Scene load_scene(const std::string& path, const std::string& pose, NamedFiles named,
+                 std::uint64_t most_triangles) {
     const std::string extension = lower_extension(path);
     const bool gltf = extension == ".glb" || extension == ".gltf";
     if (!gltf && !pose.empty())
@@ -52,9 +53,9 @@ Scene load_scene(const std::string& path, const std::string& pose, NamedFiles na
                     fmt::format("--pose {}: only a .gltf or .glb that is drawn has poses of its "
                                 "own; leave it out",
                                 pose));
-    Scene scene = gltf                  ? load_gltf_scene(read_file(path, named), pose)
-                  : extension == ".obj" ? load_obj_scene(path, named)
-                                        : load_plain_mesh(path);
+    Scene scene = gltf ? load_gltf_scene(read_file(path, named), pose, most_triangles)
+                  : extension == ".obj" ? load_obj_scene(path, named, most_triangles)
+                                        : load_plain_mesh(path, most_triangles);
     if (scene.surfaces.empty()) throw invalid_file(path, 0, "the scene holds no triangle to draw");
     if (!std::isfinite(bounding_sphere(scene).radius)) {
         throw invalid_file(path, 0, "the scene's points lie too far out to draw");

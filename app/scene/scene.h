@@ -79,15 +79,19 @@ struct Scene {
 /// (.ply, .stl, .off) are drawn in vertex colours or grey. A glTF may be drawn in one of its own
 /// poses (atlas/gltf/pose.h); empty: as its nodes and weights are stored, skins in their bind pose.
 /// Buffers, material libraries and pictures may lie where `named` says.
-/// Throws Error: io, invalid_file, unsupported (other formats, KTX textures among them), usage for
-/// a pose that the file does not have.
+/// Throws Error: io, invalid_file, unsupported (other formats, KTX textures among them, and more
+/// than `most_triangles` to draw, every placement counted), usage for a pose that the file does not
+/// have.
 Scene load_scene(const std::string& path, const std::string& pose = {},
-                 NamedFiles named = NamedFiles::below);
+                 NamedFiles named = NamedFiles::below,
+                 std::uint64_t most_triangles = ReadOptions{}.most_triangles);
 
 /// The scene of a glTF file, with materials. Throws Error as load_scene does.
-Scene load_gltf_scene(const FileBuffer& file, const std::string& pose = {});
-/// The scene of an OBJ file, with the materials of its library. Throws Error as load_scene does.
-Scene load_obj_scene(const std::string& path, NamedFiles named = NamedFiles::below);
+Scene load_gltf_scene(const FileBuffer& file, const std::string& pose = {},
+                      std::uint64_t most_triangles = ReadOptions{}.most_triangles);
+/// The scene of an OBJ file, with the materials of its libraries. Throws Error as load_scene does.
+Scene load_obj_scene(const std::string& path, NamedFiles named = NamedFiles::below,
+                     std::uint64_t most_triangles = ReadOptions{}.most_triangles);
 
 /// Computes the tangents (app/surface/tangents.h) of a surface with UVs, and gives each triangle
 /// corner a vertex of its own.

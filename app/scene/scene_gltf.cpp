@@ -29,10 +29,12 @@ namespace {
 class GltfSceneLoader {
   public:
     /// `pose` may be null: as the file stores nodes and weights.
-    GltfSceneLoader(const tinygltf::Model& model, const FileBuffer& file, const GltfPose* pose)
+    GltfSceneLoader(const tinygltf::Model& model, const FileBuffer& file, const GltfPose* pose,
+                    std::uint64_t most_triangles)
         : model_(model),
           path_(file.path),
           pose_(pose),
+          most_triangles_(most_triangles),
           to_scene_(scene_transforms(model, pose ? pose->nodes.local : nodes_at_rest(model).local)),
           textures_(model, file.path, file.named, scene_.textures) {}
 
@@ -55,6 +57,7 @@ class GltfSceneLoader {
         reader.append(primitive, where);
         fill_attributes(soup);
         if (soup.corners.empty()) return;
+        count_triangles(soup.corners.size() / 3 * placement.to_scene.size());
         Surface surface;
         surface.placements = placement.to_scene;
         surface.positions = std::move(soup.points);
@@ -78,6 +81,16 @@ class GltfSceneLoader {
         if (surface.normals.empty()) make_flat(surface);
         if (surface.material.normals >= 0 && surface.tangents.empty()) add_tangents(surface);
         scene_.surfaces.push_back(std::move(surface));
+    }
+
+    /// Throws Error(unsupported) where the scene has too many triangles with these.
+    void count_triangles(std::uint64_t more) {
+        triangles_ += more;
+        if (triangles_ > most_triangles_)
+            throw Error(ExitCode::unsupported,
+                        fmt::format("{}: more than {} triangles to draw (--max-triangles), "
+                                    "instances included; split the scene, or allow more",
+                                    path_, most_triangles_));
     }
 
     /// The shape of the mesh, in its own space, or where its skin takes it.
@@ -260,6 +273,7 @@ class GltfSceneLoader {
     const tinygltf::Model& model_;
     const std::string& path_;
     const GltfPose* pose_;
+    std::uint64_t most_triangles_, triangles_ = 0;
     std::vector<Mat4d> to_scene_;  ///< transforms of all nodes to the scene
     Scene scene_;
     GltfTextures textures_;
@@ -279,11 +293,12 @@ std::vector<std::string> files_beside(const tinygltf::Model& model, const FileBu
 
 }  // namespace
 
-Scene load_gltf_scene(const FileBuffer& file, const std::string& pose) {
+Scene load_gltf_scene(const FileBuffer& file, const std::string& pose,
+                      std::uint64_t most_triangles) {
     const tinygltf::Model model = load_gltf(file);
     std::optional<GltfPose> found;
     if (!pose.empty()) found = find_pose(model, pose, file.path);
-    Scene scene = GltfSceneLoader(model, file, found ? &*found : nullptr).load();
+    Scene scene = GltfSceneLoader(model, file, found ? &*found : nullptr, most_triangles).load();
     scene.files = files_beside(model, file);
     return scene;
 }

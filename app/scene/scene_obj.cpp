@@ -2,48 +2,31 @@
 // file uses one, with the extension of MTL for physically based rendering, as `burl bake` writes
 // it.
 #include <algorithm>
-#include <array>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
-#include <set>
-#include <span>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "app/base/file_bytes.h"
 #include "app/image/picture_read.h"
+#include "app/scene/obj_material.h"
 #include "app/scene/scene.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_buffer.h"
 #include "atlas/file/text_scanner.h"
+#include "atlas/read/obj_libraries.h"
 #include "atlas/read/read_mesh.h"
 
 namespace burl {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t\r");
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
-
-/// Calls visit(keyword, rest of the line) for every line, comments included.
-template <class Visit>
-void for_each_line(std::string_view text, Visit visit) {
-    while (!text.empty()) {
-        const std::string_view line = trimmed(text.substr(0, text.find('\n')));
-        const std::size_t space = std::min(line.find_first_of(" \t"), line.size());
-        visit(line.substr(0, space), trimmed(line.substr(space)));
-        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-    }
-}
-
 /// The materials of a file's faces.
 struct MaterialUse {
-    std::string library;                 ///< the file name of the last mtllib; empty: none
+    std::vector<std::string> libraries;  ///< the names of all mtllib
     std::vector<std::string> names;      ///< the names of usemtl, by first use
     std::vector<std::uint32_t> of_face;  ///< an index into names for each face, or no_index
 };
@@ -53,94 +36,23 @@ MaterialUse find_materials(const std::string& path) {
     MaterialUse use;
     std::map<std::string, std::uint32_t> numbers;
     std::uint32_t current = no_index;
-    TextScanner in(file, true);  // as the mesh is read, so that faces are the same ones
+    // as the mesh is read, so that faces are the same ones
+    TextScanner in(file, true, text_begin(file));
     do {
-        const std::string_view keyword = in.word(), rest = in.rest_of_line();
-        if (keyword == "mtllib") use.library = rest;
+        const std::string_view keyword = in.word();
         if (keyword == "f" || keyword == "fo") use.of_face.push_back(current);
         if (keyword != "usemtl") continue;
-        const auto [found, is_new] =
-            numbers.try_emplace(std::string(rest), std::uint32_t(use.names.size()));
+        const std::string name = in.rest_of_line();
+        const auto [found, is_new] = numbers.try_emplace(name, std::uint32_t(use.names.size()));
         current = found->second;
-        if (is_new) use.names.emplace_back(rest);
+        if (is_new) use.names.push_back(name);
     } while (in.next_line());
+    use.libraries = libraries_of(file);
     return use;
 }
 
-struct ObjMaterial {
-    SceneMaterial look{};
-    /// Files of pictures by their keyword (map_Kd, norm, map_Pr ...), as written.
-    std::map<std::string, std::string, std::less<>> maps{};
-    /// The file that holds roughness and metallic together (app/export/obj.cpp); empty: none.
-    std::string packed{};
-
-    /// The file of this keyword; empty: none.
-    std::string map(std::string_view keyword) const {
-        const auto found = maps.find(keyword);
-        return found == maps.end() ? std::string() : found->second;
-    }
-};
-
-/// The comment by which Burl's materials name a picture that no keyword of MTL could.
-constexpr std::string_view packed_comment = "roughness and metallic: ";
-
-Vec3f parse_color(const FileBuffer& file, std::string_view keyword, std::string_view rest) {
-    const FileBuffer line = buffer_from(rest, file.path);
-    TextScanner scanner(line);
-    Vec3f color(1.0f);
-    const std::string what = fmt::format("a colour of {}", keyword);
-    for (int k = 0; k < 3; ++k) color[k] = float(scanner.number(what.c_str()));
-    return glm::max(color, Vec3f(0.0f));
-}
-
-double parse_number(const FileBuffer& file, std::string_view keyword, std::string_view rest) {
-    const FileBuffer line = buffer_from(rest, file.path);
-    return TextScanner(line).number(fmt::format("the number of {}", keyword).c_str());
-}
-
-/// The numbers of the extension of MTL for physically based rendering.
-constexpr std::array<std::pair<std::string_view, float SceneMaterial::*>, 4> share_keywords{
-    {{"Pr", &SceneMaterial::roughness},
-     {"Pm", &SceneMaterial::metallic},
-     {"Pc", &SceneMaterial::clearcoat},
-     {"Pcr", &SceneMaterial::clearcoat_roughness}}};
-
-constexpr std::array<std::string_view, 7> map_keywords{"map_Kd", "norm",   "map_d", "map_Pr",
-                                                       "map_Pm", "map_Ke", "map_Ps"};
-
-/// Takes a line of the material.
-void parse_line(const FileBuffer& file, std::string_view keyword, std::string_view rest,
-                ObjMaterial& material) {
-    for (const auto& [name, member] : share_keywords)
-        if (keyword == name)
-            material.look.*member = float(std::clamp(parse_number(file, keyword, rest), 0.0, 1.0));
-    if (std::ranges::find(map_keywords, keyword) != map_keywords.end())
-        material.maps.insert_or_assign(std::string(keyword), std::string(rest));
-    if (keyword == "Kd") material.look.factor = Vec4f(parse_color(file, keyword, rest), 1.0f);
-    if (keyword == "Ke") material.look.emissive = parse_color(file, keyword, rest);
-    if (keyword == "Ni")
-        material.look.ior = float(std::clamp(parse_number(file, keyword, rest), 1.0, 100.0));
-    if (keyword == "#" && rest.starts_with(packed_comment))
-        material.packed = rest.substr(packed_comment.size());
-}
-
-/// The library's materials of these names; of several with one name the first.
-std::map<std::string, ObjMaterial> parse_materials(const FileBuffer& file,
-                                                   std::span<const std::string> names) {
-    const std::set<std::string_view> wanted(names.begin(), names.end());
-    std::map<std::string, ObjMaterial> materials;
-    ObjMaterial* current = nullptr;
-    for_each_line(file.text(), [&](std::string_view keyword, std::string_view rest) {
-        if (keyword == "newmtl") {
-            current = nullptr;
-            if (!wanted.contains(rest)) return;
-            const auto [made, is_new] = materials.try_emplace(std::string(rest));
-            if (is_new) current = &made->second;
-        } else if (current) {
-            parse_line(file, keyword, rest, *current);
-        }
-    });
-    return materials;
+std::filesystem::path beside(const std::string& file, const std::string& name) {
+    return std::filesystem::path(file).parent_path() / name;
 }
 
 bool file_exists(const std::filesystem::path& path) {
@@ -148,51 +60,19 @@ bool file_exists(const std::filesystem::path& path) {
     return std::filesystem::exists(path, ignored);
 }
 
-/// The materials of these names, in their order; no value, with a note for stderr, where there is
-/// none.
-std::vector<std::optional<ObjMaterial>> find_looks(const std::string& path, const MaterialUse& use,
-                                                   NamedFiles named,
-                                                   std::vector<std::string>& notes) {
-    std::vector<std::optional<ObjMaterial>> looks(use.names.size());
-    if (use.library.empty() || use.names.empty()) return looks;
-    const auto library = std::filesystem::path(path).parent_path() / use.library;
-    if (!may_name(named, path, use.library)) {
-        notes.push_back(fmt::format("{}: its material file {} {}; drawn without", path,
-                                    printable(use.library), outside_rule));
-        return looks;
-    }
-    if (!file_exists(library)) {
-        notes.push_back(fmt::format("{}: its material file {} is missing; drawn without", path,
-                                    printable(use.library)));
-        return looks;
-    }
-    const FileBuffer file = read_file(library.string());
-    const std::map<std::string, ObjMaterial> materials = parse_materials(file, use.names);
-    for (std::size_t i = 0; i < looks.size(); ++i) {
-        if (const auto found = materials.find(use.names[i]); found != materials.end())
-            looks[i] = found->second;
-        else
-            notes.push_back(fmt::format("{}: no material {} in {}; drawn without", path,
-                                        printable(use.names[i]), printable(use.library)));
-    }
-    return looks;
-}
-
 /// Whether the file is there and has a picture's signature that is read.
 bool is_picture(const std::filesystem::path& file) {
     return file_exists(file) && is_read(picture_type(read_file_head(file.string(), 16)));
 }
 
-/// The colours of a map, and their alpha.
-PictureColors read_map(const std::string& obj_path, const char* keyword, const std::string& map) {
+/// Throws Error(unsupported) for options before the file name of a map.
+void check_map(const std::string& obj_path, const char* keyword, const std::string& map) {
     if (map.starts_with('-')) {
         throw Error(ExitCode::unsupported,
                     fmt::format("{}: options of {} ({}) are not supported; leave only the file "
                                 "name",
                                 obj_path, keyword, printable(map)));
     }
-    const std::filesystem::path file(map);
-    return read_picture((std::filesystem::path(obj_path).parent_path() / file).string());
 }
 
 /// Whether alpha is that of the colours' map; a note is made of any other, which is not drawn.
@@ -239,11 +119,7 @@ class ObjPictures {
   public:
     ObjPictures(const std::string& path, const ObjMaterial& material, NamedFiles named,
                 Scene& scene)
-        : path_(path),
-          folder_(std::filesystem::path(path).parent_path()),
-          material_(material),
-          named_(named),
-          scene_(scene) {}
+        : path_(path), material_(material), named_(named), scene_(scene) {}
 
     /// Sets the material's textures.
     void load(SceneMaterial& look) {
@@ -266,18 +142,30 @@ class ObjPictures {
         look.maps[std::size_t(map)] = texture;
     }
 
+    /// The file from whose folder the picture is looked for: the library, or the OBJ where it is
+    /// there alone.
+    const std::string& base_of(const std::string& map) const {
+        const bool alone =
+            !file_exists(beside(material_.library, map)) && file_exists(beside(path_, map));
+        return alone ? path_ : material_.library;
+    }
+
     PictureColors read(const char* keyword, const std::string& map) {
-        if (!may_name(named_, path_, map))
+        const std::string& base = base_of(map);
+        if (!may_name(named_, base, map))
             throw invalid_file(path_, 0,
                                fmt::format("{} {} {}", keyword, printable(map), outside_rule));
-        scene_.files.push_back((folder_ / map).string());
-        return read_map(path_, keyword, map);
+        check_map(path_, keyword, map);
+        scene_.files.push_back(beside(base, map).string());
+        return read_picture(scene_.files.back());
     }
     /// The picture of a keyword; empty where there is none, or with a note none that can be drawn.
     PictureColors read_if_there(const char* keyword, std::string_view what) {
         const std::string map = material_.map(keyword);
         if (map.empty()) return {};
-        if (!may_name(named_, path_, map) || is_picture(folder_ / map)) return read(keyword, map);
+        const std::string& base = base_of(map);
+        if (!may_name(named_, base, map) || is_picture(beside(base, map)))
+            return read(keyword, map);
         scene_.notes.push_back(fmt::format("{}: the {} {} is no {} that is there; drawn without",
                                            path_, what, printable(map), pictures_read));
         return {};
@@ -311,7 +199,8 @@ class ObjPictures {
     /// Loads the picture that the exporter's comment names.
     void load_packed(SceneMaterial& look) {
         const std::string& name = material_.packed;
-        if (!may_name(named_, path_, name) || !is_picture(folder_ / name)) return;
+        const std::string& base = base_of(name);
+        if (!may_name(named_, base, name) || !is_picture(beside(base, name))) return;
         auto [image, alpha] = colors_and_alpha(read("roughness and metallic", name));
         if (std::filesystem::path(name).stem().string().ends_with("_mask"))
             image = from_mask_map(image, alpha);
@@ -322,7 +211,6 @@ class ObjPictures {
     }
 
     const std::string& path_;
-    std::filesystem::path folder_;
     const ObjMaterial& material_;
     NamedFiles named_;
     Scene& scene_;
@@ -330,25 +218,22 @@ class ObjPictures {
 
 }  // namespace
 
-Scene load_obj_scene(const std::string& path, NamedFiles named) {
-    const Mesh mesh = read_mesh(path);
+Scene load_obj_scene(const std::string& path, NamedFiles named, std::uint64_t most_triangles) {
+    const Mesh mesh = read_mesh(path, {.most_triangles = most_triangles});
     const MaterialUse use = find_materials(path);
     Scene pictures;
-    const std::vector<std::optional<ObjMaterial>> found =
-        find_looks(path, use, named, pictures.notes);
+    ObjMaterials found = find_obj_materials(path, use.libraries, use.names, named, pictures.notes);
     const bool colored = !mesh.corners.colors.empty();
     SceneMaterial none;
     none.factor = colored ? Vec4f(1.0f) : default_grey;
     std::vector<SceneMaterial> looks;
-    for (const std::optional<ObjMaterial>& one : found) {
+    for (const std::optional<ObjMaterial>& one : found.looks) {
         looks.push_back(one ? one->look : none);
         if (one && !mesh.corners.uvs.empty())
             ObjPictures(path, *one, named, pictures).load(looks.back());
     }
     looks.push_back(none);
-    if (std::ranges::any_of(found, [](const auto& one) { return one.has_value(); }))
-        pictures.files.push_back(
-            (std::filesystem::path(path).parent_path() / use.library).string());
+    std::ranges::move(found.files, std::back_inserter(pictures.files));
     std::vector<std::uint32_t> of_triangle;
     for (const std::uint32_t face : mesh.source_faces)
         of_triangle.push_back(std::min(use.of_face.at(face), std::uint32_t(use.names.size())));

@@ -1,6 +1,7 @@
 // The rare paths of the text scanner: numbers that std::from_chars refuses, and error messages.
 #include "atlas/file/text_scanner.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "atlas/base/error.h"
@@ -18,6 +19,26 @@ std::size_t text_begin(const FileBuffer& buffer) {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         throw invalid_file(buffer.path, 1, "this is UTF-16 text; save the file as UTF-8 or ASCII");
     return text.starts_with("\xef\xbb\xbf") ? 3 : 0;
+}
+
+std::string as_one_line(std::string_view line) {
+    std::string joined;
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        const std::string_view rest = line.substr(at);
+        const bool joins = rest.starts_with("\\\n") || rest.starts_with("\\\r\n");
+        joined += joins ? ' ' : rest.front();
+        if (joins) at += rest[1] == '\r' ? 2 : 1;
+    }
+    const auto is_blank = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
+    while (!joined.empty() && is_blank(joined.back())) joined.pop_back();
+    joined.erase(0, std::size_t(std::ranges::find_if_not(joined, is_blank) - joined.begin()));
+    return joined;
+}
+
+std::string TextScanner::rest_of_line() const {
+    TextScanner ahead = *this;
+    while (ahead.at_ != end_ && *ahead.at_ != '\n') ahead.skip_inside_line();
+    return as_one_line({at_, std::size_t(ahead.at_ - at_)});
 }
 
 void TextScanner::fail(const std::string& message) const {

@@ -70,16 +70,9 @@ class TextScanner {
         return {begin, static_cast<std::size_t>(at_ - begin)};
     }
 
-    /// All that is left of this line without blanks at its ends, such as a name with spaces; the
-    /// scanner stays where it is.
-    std::string_view rest_of_line() const {
-        const char* begin = at_;
-        while (begin != end_ && is_blank(*begin)) ++begin;
-        const char* end = begin;
-        while (end != end_ && *end != '\n') ++end;
-        while (end != begin && is_blank(end[-1])) --end;
-        return {begin, static_cast<std::size_t>(end - begin)};
-    }
+    /// All that is left of this line and those joined to it, as as_one_line() gives it, such as a
+    /// name with spaces; the scanner stays where it is.
+    std::string rest_of_line() const;
 
     /// The next number of this line. Throws Error when it is missing, no number, or not finite;
     /// `what` names it in the message ("a vertex coordinate").
@@ -179,6 +172,10 @@ class TextScanner {
 /// Offset of the text's first byte, behind a UTF-8 byte order mark where there is one. Throws Error
 /// for UTF-16 text, which no reader takes.
 std::size_t text_begin(const FileBuffer& buffer);
+
+/// The line, which may go on over several that are joined to it, as one: a blank stands for every
+/// `\` with its line end, and there are no blanks at its ends.
+std::string as_one_line(std::string_view line);
 
 /// The first `longest` bytes of `token` with '?' for every byte that is not printable ASCII, so
 /// that a message stays one line.

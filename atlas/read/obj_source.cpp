@@ -19,6 +19,20 @@ constexpr std::array<std::string_view, 16> free_form{
     "vp",   "deg",  "bmat", "step", "cstype", "curv", "curv2", "surf",
     "parm", "trim", "hole", "scrv", "sp",     "end",  "con",   "cdc"};
 
+/// The line without blanks at its end, and without a `\` that joins an empty line to it, or ends
+/// the file.
+std::string_view without_end(std::string_view line) {
+    while (true) {
+        std::size_t size = line.size();
+        while (size > 0 && static_cast<unsigned char>(line[size - 1]) <= ' ') --size;
+        const std::string_view blanks = line.substr(size);
+        line = line.substr(0, size);
+        const bool joins = blanks.empty() || blanks.starts_with('\n') || blanks.starts_with("\r\n");
+        if (!joins || !line.ends_with('\\')) return line;
+        line.remove_suffix(1);
+    }
+}
+
 /// Reads the lines of an OBJ whose faces have been parsed without error.
 class LineReader {
   public:
@@ -29,7 +43,8 @@ class LineReader {
         for (bool more = true; more;) {
             const std::size_t begin = in_.offset();
             const std::string_view keyword = in_.word();
-            const std::string_view rest = in_.rest_of_line();
+            const bool named = keyword == "usemtl" || keyword == "mtllib";
+            const std::string rest = named ? in_.rest_of_line() : std::string();
             element_.clear();
             if (keyword == "p" || keyword == "l") read_element();
             more = in_.next_line();
@@ -40,10 +55,10 @@ class LineReader {
     }
 
   private:
-    void add(std::string_view keyword, std::string_view rest, std::string_view line);
+    void add(std::string_view keyword, const std::string& rest, std::string_view line);
     void read_element();
     std::uint32_t number(std::size_t count);
-    std::uint32_t material(std::string_view name);
+    std::uint32_t material(const std::string& name);
 
     ObjSource& source_;
     TextScanner in_;
@@ -52,8 +67,8 @@ class LineReader {
     std::unordered_map<std::string, std::uint32_t> materials_;
 };
 
-void LineReader::add(std::string_view keyword, std::string_view rest, std::string_view line) {
-    while (!line.empty() && static_cast<unsigned char>(line.back()) <= ' ') line.remove_suffix(1);
+void LineReader::add(std::string_view keyword, const std::string& rest, std::string_view line) {
+    line = without_end(line);
     if (keyword == "v") {
         source_.points.push_back(line);
     } else if (keyword == "vt") {
@@ -73,7 +88,7 @@ void LineReader::add(std::string_view keyword, std::string_view rest, std::strin
     } else if (std::ranges::find(free_form, keyword) != free_form.end()) {
         ++source_.left_out;
     } else {
-        source_.statements.push_back({ObjStatement::Kind::text, 0, std::string(line)});
+        source_.statements.push_back({ObjStatement::Kind::text, 0, as_one_line(line)});
     }
 }
 
@@ -96,9 +111,9 @@ std::uint32_t LineReader::number(std::size_t count) {
     return usable ? std::uint32_t(from_zero) : no_index;
 }
 
-std::uint32_t LineReader::material(std::string_view name) {
+std::uint32_t LineReader::material(const std::string& name) {
     const auto [known, fresh] =
-        materials_.try_emplace(std::string(name), std::uint32_t(source_.materials.size()));
+        materials_.try_emplace(name, std::uint32_t(source_.materials.size()));
     if (fresh) source_.materials.emplace_back(name);
     return known->second;
 }

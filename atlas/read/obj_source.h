@@ -17,7 +17,7 @@ namespace burl {
 struct ObjStatement {
     enum class Kind { face, element, text } kind = Kind::text;
     std::uint32_t face = 0;  ///< the number of a face, from 0
-    std::string text{};      ///< the line; of an element (p, l) its keyword
+    std::string text{};  ///< the line, as one where it is joined; of an element (p, l) its keyword
     /// The vertices of an element with their texture coordinates, from 0, the second no_index where
     /// there are none.
     std::vector<std::array<std::uint32_t, 2>> element{};
@@ -26,8 +26,8 @@ struct ObjStatement {
 /// The content of an OBJ by its own numbers, from 0.
 struct ObjSource {
     FileBuffer file;
-    std::vector<std::string_view> points, uvs, normals;  ///< the lines v, vt and vn
-    std::vector<std::string_view> libraries;             ///< what follows mtllib
+    std::vector<std::string_view> points, uvs, normals;  ///< the lines v, vt and vn, as they are
+    std::vector<std::string> libraries;                  ///< what follows mtllib
     std::vector<ObjStatement> statements;                ///< all others but comments and materials
     std::vector<std::string> materials;                  ///< names of usemtl, by first use
     std::vector<std::uint32_t> material_of_face;         ///< indices into materials, or no_index

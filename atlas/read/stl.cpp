@@ -26,7 +26,8 @@ std::uint64_t announced_facets(const FileBuffer& file) {
 }
 
 bool looks_like_text(const FileBuffer& file) {
-    const std::string_view head = file.text().substr(0, 1024);
+    std::string_view head = file.text().substr(0, 1024);
+    if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
     if (head.find('\0') != std::string_view::npos) return false;
     const std::size_t first = head.find_first_not_of(" \t\r\n");
     return first != std::string_view::npos && is_word(head.substr(first, 5), "solid");

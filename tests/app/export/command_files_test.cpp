@@ -113,6 +113,46 @@ TEST_F(CommandFilesOf, SoDoNormalsAndMaterials) {
     expect_refused("bake m.obj -o parts.obj --size 16");
 }
 
+/// Libraries as the reader finds them: behind other blanks, several on a line, and on joined lines.
+TEST_F(CommandFilesOf, SoDoLibrariesHoweverTheyAreNamed) {
+    const std::string faces = std::string(plate) + "usemtl A\nf 1 2 3\nusemtl B\nf 1 3 4\n";
+    for (const char* lines :
+         {"mtllib\tparts.mtl\n", " mtllib parts.mtl\n", "\xef\xbb\xbfmtllib parts.mtl\n",
+          "mtllib other.mtl parts.mtl\n", "mtllib \\\nparts.mtl\n",
+          "mtllib other.mtl \\\r\n parts.mtl", "mtllib other.mtl\nmtllib parts.mtl # ours\n"}) {
+        scratch.write("m.obj", lines + ("\n" + faces));
+        scratch.write("parts.mtl", "newmtl A\nnewmtl B\n");
+        expect_refused("bake m.obj -o parts.obj --material A --size 16");
+    }
+}
+
+/// Pictures of an OBJ's materials are read as those of a glTF are.
+TEST_F(CommandFilesOf, SoDoPicturesOfLibraries) {
+    fs::create_directory(scratch / "sub");
+    scratch.write("b.json", R"({"bump": {"input": {"node": "wrinkled"}}})");
+    scratch.write("m.obj", "mtllib sub/parts.mtl none.mtl\nusemtl A\n" + std::string(plate) +
+                               "usemtl B\nf 1 2 3\n");
+    const auto refused_beside = [&](const std::string& line, const std::string& picture,
+                                    const std::string& bake) {
+        SCOPED_TRACE(line);
+        scratch.write("sub/parts.mtl", "newmtl B\n" + line + "\n");
+        scratch.write(picture, "mine");
+        expect_refused(fmt::format("bake m.obj --size 32 {}", bake));
+        fs::remove(scratch / picture);
+    };
+    refused_beside("map_Kd wall.png", "sub/wall.png", "--material A -o sub/wall.obj");
+    refused_beside("map_Kd wall.png", "wall.png", "-o wall.ply");
+    refused_beside("  map_kd\t-s 2 2 2 -o 0.5 -clamp on my wall.png\r", "sub/my wall.png",
+                   "-o 'sub/my wall.png'");
+    refused_beside("bump -bm 0.5 tex.1.png", "sub/tex.1.png", "-o sub/tex.png --levels 1");
+    refused_beside("norm n_normal.png", "sub/n_normal.png", "-r b.json -o sub/n.png");
+    refused_beside("disp -mm 0 1 d.png", "sub/d.png", "-o sub/d.png");
+    refused_beside("refl -type sphere r.png", "sub/r.png", "-o sub/r.png");
+    refused_beside("decal c.png", "sub/c.png", "-o sub/c.png");
+    refused_beside("map_Ke ..\\sub\\k.png", "sub/k.png", "-o sub/k.png");
+    refused_beside("# roughness and metallic: a_orm.png", "sub/a_orm.png", "-o sub/a_orm.png");
+}
+
 TEST_F(CommandFilesOf, ByWhateverName) {
     fs::create_directory(scratch / "sub");
     fs::create_symlink("../dots.png", scratch / "sub/link.png");
@@ -261,7 +301,10 @@ TEST(FilesOfMesh, AreThoseThatAreReadAndThoseNamedBesides) {
     EXPECT_EQ(files_of_mesh(gltf), files);
     const std::string obj = scratch.write("a.obj", "mtllib a.mtl\n");
     EXPECT_EQ(read(obj), std::vector{obj});
-    EXPECT_EQ(files_of_mesh(obj), (std::vector{obj, scratch / "a.mtl"}));
+    EXPECT_EQ(files_of_mesh(obj), std::vector{obj}) << "its library is not there";
+    const std::string library = scratch.write("a.mtl", "map_Kd a.png\nmap_Ke b.png\n");
+    const std::string picture = scratch.write("b.png", "");
+    EXPECT_EQ(files_of_mesh(obj), (std::vector{obj, library, picture}));
     const std::string damaged = scratch.write("b.gltf", "{");
     EXPECT_EQ(read(damaged), std::vector{damaged});
 }

@@ -130,6 +130,19 @@ TEST(ExportObj, MaterialIsCalledAfterMeshAndRecipeInOneWord) {
     EXPECT_TRUE(export_obj_content(folder / "a.mtl").starts_with("newmtl my__2_cube_sea_ice\n"));
 }
 
+TEST(ExportObj, NamesDoNotJoinLines) {
+    const ScratchFolder folder;
+    Mesh mesh = cube_mesh();
+    mesh.name = mesh.parts[0].name = "a\\";
+    ExportOptions options;
+    options.recipe_name = "b\\";
+    export_scene(folder / "a.obj", mesh, pair_atlas(mesh, 64), sample_image(64), options);
+    const ObjText obj = parse(folder / "a.obj");
+    EXPECT_EQ(obj.objects, std::vector<std::string>{"a_"});
+    EXPECT_EQ(obj.usemtl, "a\\_b_");
+    EXPECT_EQ(obj.faces.size(), 12u);
+}
+
 TEST(ExportObj, SharedCornersShareLines) {
     const ScratchFolder folder;
     const Mesh mesh = cube_mesh();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "app/scene/scene.h"
 #include "atlas/read/read_mesh.h"
 #include "tests/app/programs/run_program.h"
 
@@ -201,6 +202,40 @@ TEST_F(KeptObjFile, LeavesFacesOfOtherMaterialsAsTheyAre) {
     EXPECT_EQ(after.libraries, (std::vector<std::string>{"b.mtl", "../my.mtl"}));
     bake("c.obj", "--material Glass");
     EXPECT_EQ(read("c.obj").libraries, (std::vector<std::string>{"c.mtl", "my.mtl"}));
+}
+
+/// Lines that go on over others, even over empty ones, come out as one.
+TEST_F(KeptObjFile, JoinsLinesThatGoOn) {
+    scratch.write("in.obj",
+                  "v 0 0 0\nv 1 0 0\nv 1 1 0 \\\n\nv 0 \\\r\n1 0\nv 0 0 1\nvn 0 0 1 \\\n\\\n\n"
+                  "mtllib \\\nmy.mtl\no Box \\\nof pine\ng ends \\ \nusemtl A\nf 1 2 3//1\n"
+                  "f 1 3 \\\n4\nusemtl \\\nB\nf 1//1 3/1 5/1\nvt 0.5 0.25 \\");
+    const Mesh before = read_mesh(scratch / "in.obj");
+    for (const char* options : {"", "--material A"}) {
+        bake("out.obj", options);
+        const Mesh after = read_mesh(scratch / "out.obj");
+        EXPECT_EQ(after.positions, before.positions) << options;
+        EXPECT_EQ(after.triangles, before.triangles);
+        const ObjContent content = read("out.obj");
+        ASSERT_EQ(content.faces.size(), 3u);
+        EXPECT_EQ(content.faces[0].object, "Box  of pine");
+        EXPECT_EQ(content.faces[2].points[1], "1 1 0");
+    }
+    EXPECT_EQ(read("out.obj").libraries, (std::vector<std::string>{"out.mtl", "my.mtl"}));
+    EXPECT_EQ(read("out.obj").faces[2].material, "B");
+    EXPECT_EQ(read("out.obj").faces[2].uvs[1], "0.5 0.25");
+}
+
+/// What stays has its own look beside the texture when the file is drawn.
+TEST_F(KeptObjFile, IsDrawnWithBothLibraries) {
+    scratch.write("my.mtl", "newmtl Glass\nKd 0 1 0\nnewmtl Metal shiny\nKd 1 0 0\n");
+    bake("out.obj", "--material 'Wood*'");
+    const Scene scene = load_scene(scratch / "out.obj");
+    EXPECT_TRUE(scene.notes.empty());
+    std::vector<Vec4f> colors;
+    for (const Surface& surface : scene.surfaces) colors.push_back(surface.material.factor);
+    EXPECT_THAT(colors, testing::IsSupersetOf({Vec4f(1), Vec4f(0, 1, 0, 1), Vec4f(1, 0, 0, 1)}));
+    EXPECT_EQ(scene.textures.size(), 1u);
 }
 
 TEST_F(KeptObjFile, NamesNodesAfterObjects) {

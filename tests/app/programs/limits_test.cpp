@@ -28,6 +28,36 @@ TEST(Limits, TrianglesAreCounted) {
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
 }
 
+/// A scene that is drawn counts, too, with every node that places a mesh.
+TEST(Limits, TrianglesOfScenesAreCounted) {
+    const Scratch scratch;
+    for (const char* name : {"c.obj", "c.glb", "c.gltf"})
+        ASSERT_EQ(
+            run_burl(scratch, fmt::format("bake sample:cube --size 16 -o '{}'", scratch / name))
+                .exit_code,
+            0);
+    Json gltf = Json::parse(slurp(scratch / "c.gltf"));
+    const std::size_t nodes = gltf["nodes"].size();
+    ASSERT_EQ(gltf["scenes"][0]["nodes"].size(), nodes);
+    gltf["nodes"].push_back(gltf["nodes"][0]);
+    gltf["scenes"][0]["nodes"].push_back(nodes);
+    scratch.write("twice.gltf", gltf.dump());
+    for (const auto& [name, count] :
+         {std::pair{"c.obj", 12}, {"c.glb", 12}, {"c.gltf", 12}, {"twice.gltf", 24}}) {
+        const auto render = [&](int most) {
+            return run_burl(scratch, fmt::format("render '{}' --size 8x8 --max-triangles {} "
+                                                 "-o '{}'",
+                                                 scratch / name, most, scratch / "p.png"));
+        };
+        const Outcome refused = render(count - 1);
+        EXPECT_EQ(refused.exit_code, 5) << name << refused.err;
+        EXPECT_NE(refused.err.find("(--max-triangles)"), std::string::npos) << refused.err;
+        EXPECT_FALSE(fs::exists(scratch / "p.png"));
+        EXPECT_EQ(render(count).exit_code, 0) << name;
+        fs::remove(scratch / "p.png");
+    }
+}
+
 TEST(Limits, SidesOfImagesAreBounded) {
     const Scratch scratch;
     write_png(scratch / "i.png", Image<Rgb8>(32, 8, {10, 200, 10}));

@@ -217,6 +217,31 @@ TEST(ObjMaterial, EveryFaceHasItsOwn) {
     EXPECT_EQ(scene.surfaces[2].material.factor, default_grey);
 }
 
+/// All libraries are read, on as many lines as there are, and the first definition of a name
+/// counts.
+TEST(ObjMaterial, ComesFromAnyLibrary) {
+    const MaterialFolder folder;
+    std::filesystem::create_directory(folder / "sub");
+    std::ofstream(folder / "m.mtl") << "newmtl a\nKd 1 0 0\n";
+    std::ofstream(folder / "n.mtl") << "\xef\xbb\xbfnewmtl b\nKd 0 1 0\nnewmtl a\nKd 0 0 0\n";
+    std::ofstream(folder / "sub/two words.mtl") << "newmtl c\nKd 0 0 1\nmap_Kd c.png\n";
+    write_png(folder / "sub/c.png", Image<Rgb8>(2, 2, {7, 8, 9}));
+    std::ofstream(folder / "m.obj")
+        << "\xef\xbb\xbfmtllib m.mtl no.mtl \\\n n.mtl\nmtllib\tsub/two words.mtl\n"
+           "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl \\\nb\n"
+           "f 1/1 2/1 3/1\nusemtl c\nf 1/1 2/1 3/1\nusemtl d\nf 1/1 2/1 3/1\n";
+    const Scene scene = load_scene(folder / "m.obj");
+    ASSERT_EQ(scene.surfaces.size(), 4u);
+    EXPECT_EQ(scene.surfaces[0].material.factor, Vec4f(1, 0, 0, 1));
+    EXPECT_EQ(scene.surfaces[1].material.factor, Vec4f(0, 1, 0, 1));
+    EXPECT_EQ(scene.surfaces[2].material.factor, Vec4f(0, 0, 1, 1));
+    EXPECT_EQ(scene.textures.at(0).image(1, 1), (Rgb8{7, 8, 9}));
+    EXPECT_EQ(scene.surfaces[3].material.factor, default_grey);
+    EXPECT_THAT(scene.notes, ElementsAre(HasSubstr("material file no.mtl is missing"),
+                                         HasSubstr("no material d in m.mtl (and 3 others)")));
+    EXPECT_THAT(scene.files, testing::SizeIs(4));
+}
+
 /// Joined lines hide a face from those who read line by line, other blanks hide one that is there.
 TEST(ObjMaterial, FacesAreCountedAsTheMeshIsRead) {
     const MaterialFolder folder;

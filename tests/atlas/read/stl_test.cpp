@@ -53,6 +53,14 @@ TEST(ReadStl, Ascii) {
     EXPECT_EQ(mesh.notes.merged_points, 1u);
 }
 
+TEST(ReadStl, AsciiMayHaveAMark) {
+    const std::string text =
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+        "endloop\nendfacet\nendsolid a\n";
+    EXPECT_EQ(read_text("a.stl", "\xef\xbb\xbf" + text).positions,
+              read_text("a.stl", text).positions);
+}
+
 TEST(ReadStl, SameMeshAsItsObj) {
     // A bumpy grid: floats in the STL, the same values with 17 digits in the OBJ.
     const int n = 12;
