@@ -94,6 +94,21 @@ TEST_F(Confined, PicturesAndMaterialsOfScenes) {
     EXPECT_NE(drawn.err.find(outside_rule), std::string::npos) << drawn.err;
 }
 
+TEST_F(Confined, TexturesOfAGltf) {
+    ASSERT_EQ(run("bake sample:cube -s 16 -o c.gltf").exit_code, 0);
+    Json gltf = Json::parse(slurp(scratch_ / "in/c.gltf"));
+    for (const auto& [uri, code] : {std::pair{"../out/red.png", 3},
+                                    {"%2e%2e/out/red.png", 3},
+                                    {"link.png", 3},
+                                    {"none.png", 2}}) {
+        gltf["images"][0]["uri"] = uri;
+        scratch_.write("in/c.gltf", gltf.dump());
+        const Outcome drawn = run("render c.gltf --size 16x16 -o b.png");
+        EXPECT_EQ(drawn.exit_code, code) << uri << drawn.err;
+        EXPECT_NE(drawn.err.find("the texture"), std::string::npos) << drawn.err;
+    }
+}
+
 TEST_F(Confined, PathsOfManifests) {
     ASSERT_EQ(run("bake sample:cube -s 16 -o ../out/cube.obj").exit_code, 0);
     scratch_.write("out/r.json", R"({"burl": 1})");
