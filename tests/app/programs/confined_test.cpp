@@ -47,6 +47,8 @@ TEST_F(Confined, ImagesOfRecipes) {
         expect_confined("bake sample:cube -r r.json -s 16 -o a.png --force");
         expect_confined("render --direct sample:cube -r r.json --size 16x16 -o b.png");
         expect_confined("metrics sample:cube -r r.json -s 16 --levels");
+        expect_confined("show r.json");
+        expect_confined("bench synthesis -r r.json --size 8 --repeats 1");
     }
     write_png(scratch_ / "in/own.png", Image<Rgb8>(8, 8, {10, 200, 10}));
     fs::create_symlink("own.png", scratch_ / "in/inner.png");
