@@ -170,6 +170,7 @@ void add_metrics(CLI::App& program) {
     command->recipe.add_parameters(*verb);
     verb->get_option("--atlas")->description(
         fmt::format("Atlas: {}, or all", fmt::join(enum_names<AtlasKind>, ", ")));
+    verb->get_option("--size")->description("Side N of the N x N texture, in texels");
     verb->add_flag("--uv", command->uv,
                    "Measure the file's own texture coordinates (the default for a file that has "
                    "them when no --atlas is asked)");
