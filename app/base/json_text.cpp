@@ -139,15 +139,6 @@ std::string print_json(const Json& json) {
     return out + "\n";
 }
 
-bool is_utf8(const std::string& text) {
-    try {
-        (void)Json(text).dump();
-        return true;
-    } catch (const Json::type_error&) {
-        return false;  // dump() throws for invalid UTF-8
-    }
-}
-
 std::string print_json_value(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -21,9 +21,6 @@ Json parse_json_text(const std::string& text, const std::string& origin);
 /// The value that the text spells; discarded if it is not JSON or deeper than max_json_depth.
 Json parse_json_value(const std::string& text);
 
-/// Whether the text is UTF-8, as every string of JSON must be before it is printed.
-bool is_utf8(const std::string& text);
-
 /// The value with two spaces of indentation per level; arrays of plain values stay on one line.
 /// Ends with a newline.
 std::string print_json(const Json& json);

@@ -8,15 +8,17 @@
 
 #include "app/bench/bench.h"
 #include "atlas/base/json.h"
+#include "atlas/base/named_files.h"
 
 namespace burl {
 
 /// The parsed command line.
 struct BenchCommand {
     std::string suite, file, out;
-    std::vector<std::string> recipes;  ///< recipes to use; empty: the suite's default
-    std::string simd;                  ///< instruction set; empty: the machine's best
-    std::string gl = "osmesa";         ///< OpenGL platform (app/gl/device/context.h)
+    std::vector<std::string> recipes;      ///< recipes to use; empty: the suite's default
+    NamedFiles named = NamedFiles::below;  ///< where the images of recipes may lie
+    std::string simd;                      ///< instruction set; empty: the machine's best
+    std::string gl = "osmesa";             ///< OpenGL platform (app/gl/device/context.h)
     /// The suite's size (--size); 0: its default.
     std::size_t size = 0;
     int repeats = 5;

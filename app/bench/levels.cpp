@@ -74,7 +74,7 @@ std::vector<LevelBench> bench_levels(int repeats, SynthesisSubjects subjects, st
     pipeline.set_threads(1);
     std::vector<LevelBench> rows;
     for (const std::string& name : subjects.recipes) {
-        const Recipe recipe = sized_recipe(name, subjects.side);
+        const Recipe recipe = sized_recipe(name, subjects.side, subjects.named);
         check_lattice(recipe, pipeline.mesh());
         pipeline.set_recipe(recipe);
         add_rules(pipeline, level_truth(pipeline, 1, last, points), repeats, rows);

@@ -83,8 +83,8 @@ std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
     return cases;
 }
 
-Recipe load_plain(const std::string& name, std::size_t side) {
-    Recipe recipe = sized_recipe(name, side);
+Recipe load_plain(const std::string& name, const SynthesisSubjects& subjects) {
+    Recipe recipe = sized_recipe(name, subjects.side, subjects.named);
     const Texture* texture = plain_texture(recipe.texture);
     if (!texture || texture->noise.empty() || texture->colors.stops.empty() ||
         recipe.filter != Filter{} || recipe.precision.kind)
@@ -105,7 +105,7 @@ std::vector<BenchResult> bench_resynthesis(int repeats, SynthesisSubjects subjec
         std::make_shared<Pipeline>(subjects.mesh ? std::move(*subjects.mesh) : torus(6000));
     std::vector<BenchResult> all;
     for (const std::string& name : subjects.recipes) {
-        const Recipe recipe = load_plain(name, subjects.side);
+        const Recipe recipe = load_plain(name, subjects);
         check_lattice(recipe, pipeline->mesh());
         pipeline->set_recipe(recipe);
         const std::string group = fmt::format("{}, {} x {}", name, subjects.side, subjects.side);

@@ -10,7 +10,7 @@
 #include "app/bench/meshes.h"
 #include "app/options/command_options.h"
 #include "app/pipeline/pipeline.h"
-#include "app/recipe/edit/recipe_json.h"
+#include "app/recipe/edit/images.h"
 #include "app/recipe/lattice_check.h"
 #include "procedural/color/srgb.h"
 #include "procedural/color/table.h"
@@ -140,8 +140,9 @@ std::vector<double> defined_colors(const SolidAtlas& solid, const Recipe& recipe
     return values;
 }
 
-Recipe sized_recipe(const std::string& name, std::size_t side) {
-    return load_recipe(name, {fmt::format("atlas.size={}", side)});
+Recipe sized_recipe(const std::string& name, std::size_t side, NamedFiles named) {
+    RecipeImages images(ImageLimits{.named = named});
+    return load_recipe(name, {fmt::format("atlas.size={}", side)}, images);
 }
 
 std::size_t take_apart(Texture& texture) {
@@ -171,7 +172,7 @@ std::vector<BenchResult> bench_synthesis(int repeats, SynthesisSubjects subjects
         std::make_shared<Pipeline>(subjects.mesh ? std::move(*subjects.mesh) : torus(6000));
     std::vector<BenchResult> all;
     for (const std::string& name : subjects.recipes) {
-        const Recipe recipe = sized_recipe(name, side);
+        const Recipe recipe = sized_recipe(name, side, subjects.named);
         check_lattice(recipe, pipeline->mesh());
         pipeline->set_recipe(recipe);
         pipeline->solid();
@@ -190,6 +191,7 @@ SynthesisSubjects subjects_of(const BenchCommand& command, std::size_t usual_sid
     SynthesisSubjects subjects;
     if (!command.recipes.empty()) subjects.recipes = command.recipes;
     subjects.side = command.size_or(usual_side);
+    subjects.named = command.named;
     if (!command.file.empty()) subjects.mesh = MeshOptions{}.load(command.file);
     return subjects;
 }

@@ -9,6 +9,7 @@
 #include "app/bench/bench.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/image.h"
+#include "atlas/base/named_files.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/solid/solid_atlas.h"
 
@@ -32,15 +33,17 @@ std::vector<double> defined_colors(const SolidAtlas& solid, const Recipe& recipe
 struct SynthesisSubjects {
     std::optional<Mesh> mesh{};  ///< mesh; empty: a torus of 6,000 triangles
     std::vector<std::string> recipes{"marble", "wood", "clouds"};  ///< names of presets, or files
-    std::size_t side = 1024;  ///< side of the textures in texels
+    std::size_t side = 1024;               ///< side of the textures in texels
+    NamedFiles named = NamedFiles::below;  ///< where the images of recipes may lie
 };
 
 /// Returns what the command line asks for, with textures of `usual_side` unless it has a size.
 SynthesisSubjects subjects_of(const BenchCommand& command, std::size_t usual_side);
 
 /// Returns a preset or recipe file for a texture of side x side texels. Throws Error as
-/// load_recipe() does.
-Recipe sized_recipe(const std::string& name, std::size_t side);
+/// load_recipe() does, and invalid_file for images that lie elsewhere than `named` lets them.
+Recipe sized_recipe(const std::string& name, std::size_t side,
+                    NamedFiles named = NamedFiles::below);
 
 /// Replaces the first noise term by one term per octave, in the same order; returns their number.
 std::size_t take_apart(Texture& texture);

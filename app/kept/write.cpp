@@ -36,24 +36,33 @@ std::string_view media_type_of(std::span<const std::uint8_t> bytes) {
     }
 }
 
-/// Takes an image that lies in a file beside the source into the document. One that is not there
-/// stays as it is named.
-void embed(KeptDocument& document, Json& image) {
-    const std::string uri = image.at("uri");
-    const std::string path = document.file_of(uri);
-    if (path.empty()) return;
+/// The reason why the image's file does not go into the document, which takes it where there is
+/// none.
+std::string_view not_embedded(KeptDocument& document, Json& image, const std::string& path) {
+    if (path.empty()) return "lies outside the folder of the file that names it";
     try {
         const FileBuffer file = read_file(path);
         std::vector<std::uint8_t> bytes(file.bytes.get(), file.bytes.get() + file.size);
         const std::string_view type = media_type_of(bytes);
-        if (type.empty()) return;
+        if (type.empty()) return "is no PNG, JPEG, WebP or KTX2";
         image["bufferView"] = document.add_view(std::move(bytes));
         image["mimeType"] = type;
         image.erase("uri");
+        return "";
     } catch (const Error&) {
-        document.losses.push_back(
-            fmt::format("image {}: the file is not there; its name is kept", uri));
+        return "is not there";
     }
+}
+
+/// Takes an image that lies in a file beside the source into the document. One that does not go
+/// there stays as it is named, and is a loss: from the output's folder its name may lead elsewhere.
+void embed(KeptDocument& document, Json& image) {
+    const std::string uri = image.at("uri");
+    if (is_data_uri(uri)) return;
+    const std::string_view reason = not_embedded(document, image, document.file_of(uri));
+    if (!reason.empty())
+        document.losses.push_back(
+            fmt::format("image {}: the file {}; its name is kept", uri, reason));
 }
 
 /// Takes images of the source into the document unless the output lies beside them.

@@ -11,7 +11,7 @@
 #include "app/export/command_files.h"
 #include "app/main/verbs.h"
 #include "app/options/command_options.h"
-#include "app/recipe/edit/recipe_json.h"
+#include "app/recipe/edit/images.h"
 
 namespace burl {
 
@@ -46,8 +46,9 @@ constexpr std::array suite_runs{
 void check_bench_output(const BenchCommand& command) {
     CommandFiles files;
     files.read(files_of_mesh(command.file));
+    RecipeImages images(ImageLimits{.named = command.named});
     for (const std::string& recipe : command.recipes)
-        files.read(files_of_recipe(recipe, load_recipe(recipe)));
+        files.read(files_of_recipe(recipe, load_recipe(recipe, {}, images)));
     files.write(command.out);
 }
 
@@ -78,6 +79,10 @@ void add_bench(CLI::App& program) {
             "unless given")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    verb->add_flag_callback(
+            "--allow-outside", [command] { command->named = NamedFiles::anywhere; },
+            "Read images that lie outside of the folder of --recipe")
+        ->needs("--recipe");
     verb->add_option("--simd", command->simd,
                      "Instruction set of the kernels instead of the best this machine has, as "
                      "AVX2");

@@ -17,7 +17,6 @@
 #include "app/options/metres.h"
 #include "app/pipeline/tasks.h"
 #include "app/recipe/parameters.h"
-#include "app/recipe/recipe_cost.h"
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
 
@@ -133,20 +132,20 @@ void run_metrics(const MetricsCommand& command) {
     Recipe recipe = options.load();
     check_recipe(command, options, recipe);
     check_square(recipe.atlas);
-    if (command.texture == "recipe")
-        check_noises(command.mesh, noises_of_texture(recipe, false), options);
     Mesh mesh = load_measured(command);
     set_metres({&recipe, 1}, options, command.meshes.frame, mesh);
     const AtlasesAsked asked = atlases_asked(command, recipe, mesh);
-    Measuring measuring({recipe,
-                         command.texture == "recipe",
-                         command.levels,
-                         gap_fill(command.fill),
-                         command.image,
-                         command.view ? parse_view(*command.view) : View{},
-                         {},
-                         progress.meter()},
-                        std::move(mesh));
+    const MeasuringPlan plan{recipe,
+                             command.texture == "recipe",
+                             command.levels,
+                             gap_fill(command.fill),
+                             command.image,
+                             command.view ? parse_view(*command.view) : View{},
+                             {},
+                             progress.meter()};
+    check_noises(command.mesh, noises_of_measuring(plan, mesh, asked.uvs, asked.kinds.size()),
+                 options);
+    Measuring measuring(plan, std::move(mesh));
     std::vector<MeasuredAtlas> atlases = measuring.all(asked.uvs, asked.kinds);
     progress.finish();
     if (command.json) {
@@ -170,6 +169,7 @@ void add_metrics(CLI::App& program) {
     command->recipe.add_parameters(*verb);
     verb->get_option("--atlas")->description(
         fmt::format("Atlas: {}, or all", fmt::join(enum_names<AtlasKind>, ", ")));
+    verb->get_option("--size")->description("Side N of the N x N texture, in texels");
     verb->add_flag("--uv", command->uv,
                    "Measure the file's own texture coordinates (the default for a file that has "
                    "them when no --atlas is asked)");

@@ -63,7 +63,7 @@ void draw_pictures(std::vector<PageObject>& objects) {
 void run_page(const PageCommand& command) {
     if (command.folder.empty()) throw Error(ExitCode::usage, "page: -o names no folder");
     std::vector<PageObject> objects = page_objects(command.paths);
-    check_page_folder(command.folder);
+    check_page_folder(command.folder, objects);
     for (const PageObject& object : objects) check_page_object(object.path);
     draw_pictures(objects);
     CommandFiles files;

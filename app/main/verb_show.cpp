@@ -14,11 +14,13 @@
 #include "app/main/verbs.h"
 #include "app/materialx/write/recipe.h"
 #include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/images.h"
 #include "app/recipe/edit/leaves.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/json.h"
+#include "atlas/base/named_files.h"
 
 namespace burl {
 
@@ -27,6 +29,7 @@ namespace {
 struct ShowCommand {
     std::string recipe;
     bool json = false, materialx = false;
+    NamedFiles named = NamedFiles::below;
 };
 
 /// A line of the table of controls.
@@ -98,7 +101,8 @@ void print_materialx(const Recipe& recipe, const std::string& path) {
 
 void run_show(const ShowCommand& command) {
     const auto [text, losses, origin] = recipe_text(command.recipe);
-    const Recipe recipe = parse_recipe(text, origin);
+    RecipeImages images(ImageLimits{.named = command.named});
+    const Recipe recipe = parse_recipe(text, origin, {}, images);
     for (const std::string& loss : losses) warn(loss);
     if (command.json) {
         fmt::print("{}{}", text, text.ends_with('\n') ? "" : "\n");
@@ -123,6 +127,9 @@ void add_show(CLI::App& program) {
     verb->add_flag("--materialx", command->materialx,
                    "Print a MaterialX document of the same material: its nodes as a node graph")
         ->excludes("--json");
+    verb->add_flag_callback(
+        "--allow-outside", [command] { command->named = NamedFiles::anywhere; },
+        "Read images that lie outside of the recipe's own folder");
     verb->callback([command] { run_show(*command); });
 }
 

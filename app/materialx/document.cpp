@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include "app/base/json_text.h"
+#include "atlas/base/utf8.h"
 
 namespace burl::materialx {
 

@@ -13,6 +13,7 @@
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/error.h"
 #include "atlas/base/stop.h"
+#include "atlas/base/utf8.h"
 #include "procedural/color/table.h"
 #include "procedural/fixed/field.h"
 #include "procedural/graph/evaluator.h"
@@ -47,13 +48,9 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
-/// The beginning of the text, at most 40 characters, without control and other non-ASCII
-/// characters.
+/// The beginning of the text, as messages quote it.
 std::string shown(std::string_view text) {
-    std::string result(text.substr(0, 40));
-    for (char& c : result)
-        if (c < ' ' || c > '~') c = '?';
-    return "'" + result + (text.size() > 40 ? "...'" : "'");
+    return fmt::format("'{}'", legible(text, 40));
 }
 
 /// A parser of lines; the first line chooses the columns of coordinates.

@@ -7,6 +7,7 @@
 
 #include "app/image/image_io.h"
 #include "app/pipeline/tasks.h"
+#include "app/recipe/recipe_cost.h"
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
 #include "atlas/base/stop.h"
@@ -48,7 +49,28 @@ SolidColor unless_stopped(SolidColor color, const std::stop_token& stop) {
     };
 }
 
+TruthOptions truth_options(const Recipe& recipe, double detail) {
+    TruthOptions options;
+    options.size = recipe.atlas.size;
+    options.detail = detail;
+    options.view_points = view_points;
+    return options;
+}
+
 }  // namespace
+
+double noises_of_measuring(const MeasuringPlan& plan, const Mesh& mesh, bool own_uvs,
+                           std::size_t kinds) {
+    if (!plan.looks_up_recipe || (!plan.lookups && plan.image.empty())) return 0.0;
+    const double point = noises_per_point(plan.recipe, false), side = plan.recipe.atlas.size;
+    const double filled = double(kinds + (own_uvs ? 1 : 0)) * side * side * point;
+    if (!plan.lookups) return filled;
+    const TruthOptions options =
+        truth_options(plan.recipe, recipe_texture(plan.recipe, mesh).detail);
+    // A texture with direct levels, whose samples are a third of its texels.
+    const double direct = 4.0 / 3.0 * double(kinds) * noises_of_texture(plan.recipe, false);
+    return filled + direct + point * truth_calls(normalised(mesh), options);
+}
 
 Measuring::Measuring(MeasuringPlan plan, Mesh measured_mesh)
     : plan_(std::move(plan)),
@@ -59,11 +81,8 @@ Measuring::Measuring(MeasuringPlan plan, Mesh measured_mesh)
     texture_.color = unless_stopped(texture_.color, plan_.stop);
     if (!plan_.lookups) return;
     go_on("sampling the surface");
-    TruthOptions options;
-    options.size = plan_.recipe.atlas.size;
-    options.detail = texture_.detail;
-    options.view_points = view_points;
-    truth_ = surface_truth(normalised(mesh()), texture_.color, options);
+    truth_ = surface_truth(normalised(mesh()), texture_.color,
+                           truth_options(plan_.recipe, texture_.detail));
 }
 
 MeasuredAtlas Measuring::our_atlas(AtlasKind kind) {

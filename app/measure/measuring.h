@@ -43,6 +43,11 @@ std::string measured_name(AtlasKind kind);
 inline constexpr std::array picture_topics{"charts", "scale", "levels"};
 std::string measured_picture(const std::string& prefix, std::string_view atlas, const char* topic);
 
+/// About the noises (app/recipe/recipe_cost.h) that measuring the file's own texture coordinates,
+/// if asked for, and so many of our atlases takes; 0 where no texture of the recipe is looked up.
+double noises_of_measuring(const MeasuringPlan& plan, const Mesh& mesh, bool own_uvs,
+                           std::size_t kinds);
+
 /// Measures atlases of a mesh by a plan.
 class Measuring {
   public:

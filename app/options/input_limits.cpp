@@ -49,7 +49,7 @@ void add_input_limits(CLI::App& verb, MeshOptions& meshes, RecipeOptions& recipe
     verb.add_option_function<std::size_t>(
             "--max-image", [&](std::size_t side) { recipe.images->limits.side = side; },
             "Refuse an image of a recipe with a longer side in pixels, and images that have more "
-            "than twice its square together")
+            "than twice its square together, all sides rounded up to powers of two")
         ->check(CLI::Range(1, 65536))
         ->default_str(std::to_string(ImageLimits{}.side));
     verb.add_option("--max-noises", recipe.most_noises,

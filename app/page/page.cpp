@@ -67,11 +67,12 @@ std::string escaped(std::string_view text) {
     return html;
 }
 
-/// JSON inside a script element, where "</" would end it.
+/// JSON inside a script element, without "<": "</script" would end the element, and
+/// "<!--<script" would hide its end.
 std::string in_script(const Json& json) {
     std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3)
-        text.replace(at, 2, "<\\/");
+    for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
+        text.replace(at, 1, "\\u003c");
     return text;
 }
 
@@ -169,13 +170,23 @@ std::vector<std::string> page_files(const std::string& folder,
     return files;
 }
 
-void check_page_folder(const std::string& folder) {
+void check_page_folder(const std::string& folder, std::span<const PageObject> objects) {
     const std::string index = in_folder(folder, "index.html");
     std::error_code failure;
-    if (!std::filesystem::is_regular_file(index, failure)) return;
-    if (read_file(index).text().find(mark) == std::string_view::npos)
-        throw Error(ExitCode::io,
-                    fmt::format("{}: no page of burl's; give -o another folder", index));
+    if (std::filesystem::is_regular_file(index, failure)) {
+        if (read_file(index).text().find(mark) == std::string_view::npos)
+            throw Error(ExitCode::io,
+                        fmt::format("{}: no page of burl's; give -o another folder", index));
+        return;
+    }
+    std::vector<std::string> files = page_files(folder, objects);
+    for (const PageObject& object : objects)
+        files.push_back(in_folder(folder, picture_file(object)));
+    for (const std::string& file : files)
+        if (std::filesystem::exists(file, failure))
+            throw Error(ExitCode::io, fmt::format("{}: would be replaced, and its folder holds no "
+                                                  "page of burl's; give -o another folder",
+                                                  file));
 }
 
 void write_page(const std::string& folder, const std::string& title,

@@ -34,8 +34,9 @@ bool has_page_viewer();
 /// The paths of the page's files in the folder, index.html last.
 std::vector<std::string> page_files(const std::string& folder, std::span<const PageObject> objects);
 
-/// Throws Error(io) where the folder has an index.html that no `burl page` wrote.
-void check_page_folder(const std::string& folder);
+/// Throws Error(io) where the folder has an index.html that no `burl page` wrote, or none and
+/// files that a page of the objects would replace.
+void check_page_folder(const std::string& folder, std::span<const PageObject> objects);
 
 /// Writes the page, index.html last; its folders must be there. Throws Error: unsupported without a
 /// viewer, io.

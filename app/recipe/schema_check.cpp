@@ -8,6 +8,7 @@
 #include "app/base/messages.h"
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
+#include "atlas/base/utf8.h"
 #include "procedural/graph/json.h"
 
 namespace burl {

@@ -105,8 +105,8 @@ PictureColors GltfTextures::image(int number) const {
     const tinygltf::Image& image = model_.images[std::size_t(number)];
     if (image.image.empty()) {
         const std::string name = confined_file_name(image.uri, named_);
-        const bool lies_out = !name.empty() && !may_name(named_, path_, name);
-        throw Error(ExitCode::io,
+        const bool lies_out = name.empty() || !may_name(named_, path_, name);
+        throw Error(lies_out ? ExitCode::invalid_file : ExitCode::io,
                     fmt::format("{}: the texture '{}' {}", path_, printable(image.uri),
                                 name.empty() ? confined_rule
                                 : lies_out   ? outside_rule

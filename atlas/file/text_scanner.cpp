@@ -8,12 +8,6 @@
 
 namespace burl {
 
-std::string printable(std::string_view token, std::size_t longest) {
-    std::string clean;
-    for (const char c : token.substr(0, longest)) clean += c >= 0x20 && c < 0x7f ? c : '?';
-    return token.size() > longest ? clean + "..." : clean;
-}
-
 std::size_t text_begin(const FileBuffer& buffer) {
     const std::string_view text = buffer.text();
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))

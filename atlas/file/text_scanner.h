@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "atlas/base/stop.h"
+#include "atlas/base/utf8.h"
 #include "atlas/file/file_buffer.h"
 
 namespace burl {
@@ -177,8 +178,9 @@ std::size_t text_begin(const FileBuffer& buffer);
 /// `\` with its line end, and there are no blanks at its ends.
 std::string as_one_line(std::string_view line);
 
-/// The first `longest` bytes of `token` with '?' for every byte that is not printable ASCII, so
-/// that a message stays one line.
-std::string printable(std::string_view token, std::size_t longest = 40);
+/// The beginning of a token as messages quote it.
+inline std::string printable(std::string_view token, std::size_t longest = 40) {
+    return legible(token, longest);
+}
 
 }  // namespace burl

@@ -165,4 +165,13 @@ SampledViews sample_views(const Mesh& mesh, const SolidColor& f, double texel,
     return views;
 }
 
+double view_calls(const ViewOptions& options) {
+    double rays = 0.0;
+    for (const double tilt : options.tilts) {
+        const RayGrid grid = ray_grid(options.rays, std::cos(tilt * radian));
+        rays += 2.0 * grid.x * grid.y;
+    }
+    return rays * double(options.minifications.size()) * double(options.points);
+}
+
 }  // namespace burl

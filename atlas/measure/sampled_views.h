@@ -67,4 +67,7 @@ struct SampledViews {
 SampledViews sample_views(const Mesh& mesh, const SolidColor& f, double texel,
                           const ViewOptions& options);
 
+/// The number of calls of f by sample_views(), at most.
+double view_calls(const ViewOptions& options);
+
 }  // namespace burl

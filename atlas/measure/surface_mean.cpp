@@ -79,15 +79,25 @@ class Cutter {
     std::uint64_t counter_ = 0;
 };
 
-/// The edge, lengthened where it would take more than most_samples parts.
-double affordable(const Mesh& mesh, double edge) {
+double area_of(const Mesh& mesh) {
     double area = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += area_of(points_of(mesh, t));
+    return area;
+}
+
+/// The edge, lengthened where a surface of that area would take more than most_samples parts.
+double affordable(double area, double edge) {
     return std::max(edge, std::sqrt(area / (most_samples * sliver)));
 }
 
 constexpr double most_cells = 0x1p27;
 constexpr double longest_part = 1.5;  // of a sample's part of a triangle, in sigmas
+constexpr double part_area = 0.15;    // mean area of parts, in squares of the longest edge
+
+/// The longest edge of parts. A long footprint gets as many samples as a round one.
+double longest_edge(double sigma, double detail, double stretch) {
+    return std::min(longest_part * sigma, std::max(detail, std::sqrt(stretch) * sigma / 4.0));
+}
 
 /// A grid of cells over a box with one layer of empty cells around it, numbered x first; cells are
 /// enlarged until there are at most most_cells.
@@ -200,7 +210,7 @@ struct Kernel {
 
 std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double edge, std::uint64_t seed,
                                           const std::function<bool(const Vec3d&)>& wanted) {
-    const double longest = affordable(mesh, edge);
+    const double longest = affordable(area_of(mesh), edge);
     constexpr std::size_t run = 64;  // triangles
     const std::size_t runs = (mesh.triangles.size() + run - 1) / run;
     std::vector<std::vector<SurfaceSample>> parts(runs);
@@ -222,9 +232,7 @@ std::vector<Vec3d> surface_means(const Mesh& mesh, const SolidColor& f,
     const CellGrid grid(bounding_box(mesh), gaussian_cut * stretch * sigma);
     const std::vector<char> near = cells_near(grid, mesh, points);
     const auto wanted = [&](const Vec3d& p) { return near[grid.cell_of(p)] != 0; };
-    // A long footprint gets as many samples as a round one.
-    const double edge =
-        std::min(longest_part * sigma, std::max(detail, std::sqrt(stretch) * sigma / 4.0));
+    const double edge = longest_edge(sigma, detail, stretch);
     const IndexedSamples index = index_samples(grid, sample_surface(mesh, edge, seed, wanted), f);
     std::vector<Vec3d> normals(mesh.triangles.size());
     for (std::uint32_t t = 0; t < normals.size(); ++t) normals[t] = face_normal(mesh, t);
@@ -236,6 +244,13 @@ std::vector<Vec3d> surface_means(const Mesh& mesh, const SolidColor& f,
         means[i] = kernel.mean(at, points[i].triangle, across, f(at));
     });
     return means;
+}
+
+double surface_mean_calls(const Mesh& mesh, std::size_t points, double sigma, double detail,
+                          double stretch) {
+    const double area = area_of(mesh);
+    const double edge = affordable(area, longest_edge(sigma, detail, stretch));
+    return double(points) + double(mesh.triangles.size()) + area / (part_area * edge * edge);
 }
 
 }  // namespace burl

@@ -64,4 +64,9 @@ std::vector<Vec3d> surface_means(const Mesh& mesh, const SolidColor& f,
                                  std::span<const SurfacePoint> points, double sigma, double detail,
                                  std::uint64_t seed, const Elongation& elongation = {});
 
+/// About the number of calls of f by surface_means() at `points` points, with footprints `stretch`
+/// times as long as wide: rather more than fewer.
+double surface_mean_calls(const Mesh& mesh, std::size_t points, double sigma, double detail,
+                          double stretch = 1.0);
+
 }  // namespace burl

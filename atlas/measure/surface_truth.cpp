@@ -1,6 +1,7 @@
 #include "atlas/measure/surface_truth.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <tbb/parallel_for.h>
@@ -39,6 +40,27 @@ LevelTruth level_truth(const Mesh& mesh, const SolidColor& f, std::span<const Su
     return truth;
 }
 
+/// The last level that textures of the options' size have.
+std::uint32_t last_level(const TruthOptions& options) {
+    return std::min(options.levels, std::uint32_t(std::bit_width(options.size)) - 1);
+}
+
+/// The last level with grazing footprints; 0 without any.
+std::uint32_t last_grazing(const TruthOptions& options) {
+    std::uint32_t last = 0;
+    while (last < std::min(options.grazing_levels, options.levels) &&
+           (options.size >> (last + 1)) >= least_grazing_side)
+        ++last;
+    return last;
+}
+
+ViewOptions view_options(const TruthOptions& options) {
+    ViewOptions views;
+    views.points = options.view_points;
+    views.seed = options.seed;
+    return views;
+}
+
 GrazingTruth grazing_truth(const Mesh& mesh, const SolidColor& f, const TruthOptions& options,
                            double texel) {
     GrazingTruth truth;
@@ -49,8 +71,7 @@ GrazingTruth grazing_truth(const Mesh& mesh, const SolidColor& f, const TruthOpt
         truth.axes.push_back(random_axes(mesh, truth.points[i].triangle, turn));
         across.push_back(truth.axes.back().across);
     }
-    const std::uint32_t last = std::min(options.grazing_levels, options.levels);
-    for (std::uint32_t l = 1; l <= last && (options.size >> l) >= least_grazing_side; ++l)
+    for (std::uint32_t l = 1; l <= last_grazing(options); ++l)
         truth.levels.push_back(level_truth(mesh, f, truth.points, std::ldexp(texel, int(l) - 1),
                                            options.detail, options.seed + grazing_seed + 100 * l,
                                            {grazing_stretch, across}));
@@ -67,21 +88,31 @@ SurfaceTruth surface_truth(const Mesh& mesh, const SolidColor& f, const TruthOpt
     tbb::parallel_for(std::size_t{0}, truth.points.size(),
                       [&](std::size_t i) { truth.values[i] = f(position(mesh, truth.points[i])); });
     truth.texel = std::sqrt(surface_area(mesh)) / double(options.size);
-    for (std::uint32_t l = 1; l <= options.levels && (options.size >> l) > 0 && truth.texel > 0.0;
-         ++l)
+    for (std::uint32_t l = 1; l <= last_level(options) && truth.texel > 0.0; ++l)
         truth.levels.push_back(l < options.first_level
                                    ? LevelTruth()
                                    : level_truth(mesh, f, truth.level_points,
                                                  std::ldexp(truth.texel, int(l) - 1),
                                                  options.detail, options.seed + 100 * l));
     if (truth.texel > 0.0) truth.grazing = grazing_truth(mesh, f, options, truth.texel);
-    if (truth.texel > 0.0 && options.view_points > 0) {
-        ViewOptions views;
-        views.points = options.view_points;
-        views.seed = options.seed;
-        truth.views = sample_views(mesh, f, truth.texel, views);
-    }
+    if (truth.texel > 0.0 && options.view_points > 0)
+        truth.views = sample_views(mesh, f, truth.texel, view_options(options));
     return truth;
+}
+
+double truth_calls(const Mesh& mesh, const TruthOptions& options) {
+    const double texel = std::sqrt(surface_area(mesh)) / double(options.size);
+    double calls = double(options.points);
+    if (!(texel > 0.0)) return calls;
+    const auto add = [&](std::uint32_t level, std::size_t points, double stretch) {
+        calls += 2.0 * surface_mean_calls(mesh, points, std::ldexp(texel, int(level) - 1),
+                                          options.detail, stretch);
+    };
+    for (std::uint32_t l = options.first_level; l <= last_level(options); ++l)
+        add(l, options.level_points, 1.0);
+    for (std::uint32_t l = 1; l <= last_grazing(options); ++l)
+        add(l, options.grazing_points, grazing_stretch);
+    return calls + view_calls(view_options(options));
 }
 
 }  // namespace burl

@@ -56,4 +56,7 @@ struct SurfaceTruth {
 /// out. The mesh's coordinates are of the order of 1.
 SurfaceTruth surface_truth(const Mesh& mesh, const SolidColor& f, const TruthOptions& options);
 
+/// About the number of calls of f by surface_truth(): rather more than fewer.
+double truth_calls(const Mesh& mesh, const TruthOptions& options);
+
 }  // namespace burl

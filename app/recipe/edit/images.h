@@ -1,6 +1,7 @@
 #pragma once
 // The images that recipes name. Each is decoded once per wrap mode, however many nodes, frames of
 // an animation or bakes of a batch use it; the images of one recipe are bounded in total size.
+#include <bit>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -25,9 +26,12 @@ struct ImageLimits {
     /// where its image is transparent, and 1.1 or 2.1 GB where sides are no powers of two.
     std::size_t side = 8192;
 
-    /// The most texels of all images of a recipe together, sides rounded up to powers of two as MIP
-    /// pyramids have them.
-    std::uint64_t texels() const { return 2 * std::uint64_t(side) * side; }
+    /// The most texels of all images of a recipe together: two of the largest, all sides rounded up
+    /// to powers of two as MIP pyramids have them.
+    std::uint64_t texels() const {
+        const std::uint64_t rounded = std::bit_ceil(side);
+        return 2 * rounded * rounded;
+    }
 };
 
 /// A cache of decoded images, keyed by real path and wrap mode.

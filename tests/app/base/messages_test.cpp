@@ -60,5 +60,18 @@ TEST(TerminalEscapes, OfFilesAreShownAndNotObeyed) {
     EXPECT_NE(batch.out.find("\\x1b]0;title\\x07x.png: failed"), std::string::npos) << batch.out;
 }
 
+TEST(QuotedWords, OfMeshesAndTablesKeepTheirLetters) {
+    const Scratch scratch;
+    const std::string mesh =
+        scratch.write("k.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl K\u00e4\x1bse\xe9\nf 1 2 3\n");
+    const std::string points = scratch.write("p.csv", "0,0,0\nK\u00e4\x1bse\xe9,0,0\n");
+    for (const std::string& arguments :
+         {fmt::format("bake '{}' --material Brot -o '{}'", mesh, scratch / "a.png"),
+          fmt::format("eval marble --points '{}'", points)}) {
+        const Outcome outcome = run_burl(scratch, arguments);
+        EXPECT_NE(outcome.err.find("K\u00e4?se?"), std::string::npos) << outcome.err;
+    }
+}
+
 }  // namespace
 }  // namespace burl::test

@@ -101,15 +101,17 @@ TEST(Page, HoldsItsObjectsAndTheirPictures) {
     if (!has_page_viewer()) GTEST_SKIP() << "built without the viewer of pages";
     const Scratch scratch;
     const std::string a = baked(scratch, "a.glb"), b = baked(scratch, "b.glb", "--recipe oak");
-    const auto outcome = test::run_burl(scratch, "page '" + a + "' '" + b +
-                                                     "' --title 'A <b> & \"c\"</script>' -o '" +
-                                                     scratch / "page" + "'");
+    const auto outcome = test::run_burl(
+        scratch, "page '" + a + "' '" + b + "' --title 'A <!--<script> & \"c\"</script>' -o '" +
+                     scratch / "page" + "'");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string html = test::slurp(scratch / "page/index.html");
-    EXPECT_NE(html.find("<title>A &lt;b> &amp; &quot;c&quot;&lt;/script></title>"),
+    EXPECT_NE(html.find("<title>A &lt;!--&lt;script> &amp; &quot;c&quot;&lt;/script></title>"),
               std::string::npos);
-    const auto contents = nlohmann::json::parse(between(html, "application/json\">", "</script>"));
-    EXPECT_EQ(contents["title"], "A <b> & \"c\"</script>");
+    const std::string data = between(html, "application/json\">", "</script>");
+    EXPECT_EQ(data.find('<'), std::string::npos) << "markup of HTML in a script";
+    const auto contents = nlohmann::json::parse(data);
+    EXPECT_EQ(contents["title"], "A <!--<script> & \"c\"</script>");
     ASSERT_EQ(contents["assets"].size(), 2u);
     EXPECT_EQ(contents["lights"].size(), environment_notes().size());
     EXPECT_EQ(contents["assets"][1]["name"], "b");
@@ -146,6 +148,30 @@ TEST(Page, SaysWhatItCannotShowAndLeavesWhatIsThere) {
         EXPECT_EQ(outcome.exit_code, code) << outcome.err;
     }
     EXPECT_EQ(test::slurp(scratch / "site/index.html"), "<title>mine</title>");
+}
+
+TEST(Page, ReplacesNoFilesButThoseOfAPage) {
+    if (!has_page_viewer()) GTEST_SKIP() << "built without the viewer of pages";
+    const Scratch scratch;
+    const std::string a = baked(scratch, "a.glb");
+    for (const std::string name :
+         {"viewer.js", "objects/a.js", "objects/a.webp", "lights/studio.js"}) {
+        std::filesystem::create_directories(scratch / "site/objects");
+        std::filesystem::create_directories(scratch / "site/lights");
+        scratch.write("site/" + name, "mine");
+        const auto outcome =
+            test::run_burl(scratch, fmt::format("page '{}' -o '{}'", a, scratch / "site"));
+        EXPECT_EQ(outcome.exit_code, 2) << name << outcome.err;
+        EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
+        EXPECT_TRUE(test::slurp(scratch / ("site/" + name)) == "mine") << name;
+        EXPECT_FALSE(std::filesystem::exists(scratch / "site/index.html"));
+        std::filesystem::remove_all(scratch / "site");
+    }
+    scratch.write("notes.txt", "mine");
+    EXPECT_EQ(test::run_burl(scratch, fmt::format("page '{}' -o '{}'", a, scratch.path().string()))
+                  .exit_code,
+              0)
+        << "beside files of other names";
 }
 
 TEST(Page, TakesNoFileThatNamesOthers) {

@@ -47,6 +47,8 @@ TEST_F(Confined, ImagesOfRecipes) {
         expect_confined("bake sample:cube -r r.json -s 16 -o a.png --force");
         expect_confined("render --direct sample:cube -r r.json --size 16x16 -o b.png");
         expect_confined("metrics sample:cube -r r.json -s 16 --levels");
+        expect_confined("show r.json");
+        expect_confined("bench synthesis -r r.json --size 8 --repeats 1");
     }
     write_png(scratch_ / "in/own.png", Image<Rgb8>(8, 8, {10, 200, 10}));
     fs::create_symlink("own.png", scratch_ / "in/inner.png");
@@ -92,6 +94,21 @@ TEST_F(Confined, PicturesAndMaterialsOfScenes) {
     const Outcome drawn = run("render a.obj --size 16x16 -o b.png");
     EXPECT_EQ(drawn.exit_code, 0);
     EXPECT_NE(drawn.err.find(outside_rule), std::string::npos) << drawn.err;
+}
+
+TEST_F(Confined, TexturesOfAGltf) {
+    ASSERT_EQ(run("bake sample:cube -s 16 -o c.gltf").exit_code, 0);
+    Json gltf = Json::parse(slurp(scratch_ / "in/c.gltf"));
+    for (const auto& [uri, code] : {std::pair{"../out/red.png", 3},
+                                    {"%2e%2e/out/red.png", 3},
+                                    {"link.png", 3},
+                                    {"none.png", 2}}) {
+        gltf["images"][0]["uri"] = uri;
+        scratch_.write("in/c.gltf", gltf.dump());
+        const Outcome drawn = run("render c.gltf --size 16x16 -o b.png");
+        EXPECT_EQ(drawn.exit_code, code) << uri << drawn.err;
+        EXPECT_NE(drawn.err.find("the texture"), std::string::npos) << drawn.err;
+    }
 }
 
 TEST_F(Confined, PathsOfManifests) {

@@ -69,6 +69,30 @@ TEST(Limits, SidesOfImagesAreBounded) {
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
 }
 
+TEST(Limits, ImagesAreBoundedTogether) {
+    const Scratch scratch;
+    for (const char* name : {"i.png", "j.png", "k.png"})
+        write_png(scratch / name, Image<Rgb8>(5, 5, {10, 200, 10}));
+    const std::string image = R"({"node": "image", "file": "i.png"})",
+                      other = R"({"node": "image", "file": "j.png"})",
+                      third = R"({"node": "image", "file": "k.png"})";
+    const auto mix = [](const std::string& a, const std::string& b) {
+        return fmt::format(R"({{"node": "mix", "a": {}, "b": {}}})", a, b);
+    };
+    const auto bake = [&](const std::string& texture, const char* most) {
+        const std::string recipe =
+            scratch.write("r.json", R"({"burl": 1, "texture": )" + texture + "}");
+        return run_burl(scratch, fmt::format("bake sample:cube -s 16 -r '{}' --max-image {} -o "
+                                             "'{}' --force",
+                                             recipe, most, scratch / "a.png"));
+    };
+    EXPECT_EQ(bake(image, "5").exit_code, 0) << bake(image, "5").err;
+    EXPECT_EQ(bake(mix(image, other), "5").exit_code, 0) << bake(mix(image, other), "5").err;
+    const Outcome three = bake(mix(mix(image, other), third), "5");
+    EXPECT_EQ(three.exit_code, 3);
+    EXPECT_NE(three.err.find("192 pixels together"), std::string::npos) << three.err;
+}
+
 TEST(Limits, MemoryIsBounded) {
 #ifdef __SANITIZE_ADDRESS__
     GTEST_SKIP() << "the sanitizer's own memory counts";
@@ -146,6 +170,19 @@ TEST(Limits, AManifestGivesItselfNone) {
         EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
         EXPECT_NE(outcome.err.find("there is no option"), std::string::npos) << outcome.err;
     }
+}
+
+TEST(Limits, PointsOfLevelsAreCounted) {
+    const Scratch scratch;
+    // 256 texels, and some million points of the surface that tell whether their lookups are right
+    const std::string metrics = "metrics sample:cube -r marble -a quad -s 16 ";
+    const Outcome refused = run_burl(scratch, metrics + "--levels --max-noises 2e6");
+    EXPECT_EQ(refused.exit_code, 5) << refused.err;
+    EXPECT_NE(refused.err.find("(--max-noises)"), std::string::npos) << refused.err;
+    const Outcome measured = run_burl(scratch, metrics + "--levels");
+    EXPECT_EQ(measured.exit_code, 0) << measured.err;
+    const Outcome no_lookups = run_burl(scratch, metrics + "--max-noises 9");
+    EXPECT_EQ(no_lookups.exit_code, 0) << no_lookups.err;
 }
 
 }  // namespace

@@ -81,5 +81,11 @@ TEST(UsagePageOfBench, NamesEverySuite) {
                     testing::ContainsRegex(fmt::format("`({}`|burl bench {} )", suite, suite)));
 }
 
+TEST(UsagePageOfMetrics, OffersSquareTexturesAlone) {
+    const Scratch scratch;
+    EXPECT_EQ(run_burl(scratch, "metrics --help").out.find("WxH"), std::string::npos);
+    EXPECT_NE(run_burl(scratch, "bake --help").out.find("WxH"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace burl::test

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -181,6 +182,24 @@ TEST(SurfaceTruth, NoiseIsTheErrorOfTheTruth) {
     }
     options.size = 4;  // no more levels than the texture has
     EXPECT_EQ(surface_truth(mesh, f, options).levels.size(), 2u);
+}
+
+// The count of --max-noises is known before anything is called.
+TEST(SurfaceTruth, CallsAreCountedBeforehand) {
+    for (const auto& [name, mesh] : made::all())
+        for (const std::uint32_t size : {16u, 64u}) {
+            TruthOptions options;
+            options.size = size;
+            options.level_points = 2000;
+            options.points = 1000;
+            options.grazing_points = 500;
+            options.view_points = 20;
+            std::atomic<std::size_t> calls = 0;
+            const SolidColor f = grey([&](const Vec3d&) { return double(++calls > 0); });
+            surface_truth(mesh, f, options);
+            const double counted = truth_calls(mesh, options);
+            EXPECT_NEAR(counted / double(calls), 1.1, 0.2) << name << ' ' << size;
+        }
 }
 
 }  // namespace
