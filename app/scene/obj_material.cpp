@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "app/base/real_path.h"
+#include "atlas/base/real_path.h"
 #include "atlas/file/file_buffer.h"
 #include "atlas/file/text_scanner.h"
 #include "atlas/read/obj_libraries.h"
