@@ -161,12 +161,13 @@ TEST(LiesBelow, FollowsLinksAndDots) {
     fs::create_symlink("b", scratch.path() / "a/in");
     fs::create_symlink("../new", scratch.path() / "a/new_out");
     fs::create_symlink("b/new", scratch.path() / "a/new_in");
+    fs::create_symlink("loop", scratch.path() / "a/loop");
     const std::string file = scratch / "a/file";
     for (const char* name :
          {"x", "b/x", "in/x", "missing/x", "new_in", "b/../x", "./x", "b/../../a/x"})
         EXPECT_TRUE(lies_below(file, name)) << name;
-    for (const char* name : {"../x", "out/x", "out", "new_out", "..", ".", "../ab/x", "/etc/passwd",
-                             "in/../../x", "missing/../../x"})
+    for (const char* name : {"../x", "out/x", "out", "new_out", "loop", "loop/../../x", "..", ".",
+                             "../ab/x", "/etc/passwd", "in/../../x", "missing/../../x"})
         EXPECT_FALSE(lies_below(file, name)) << name;
     EXPECT_TRUE(lies_below(file, scratch / "a/b/x"));
     EXPECT_TRUE(lies_below("file", "x"));

@@ -55,7 +55,7 @@ TEST(NamesInFiles, OutsideOfTheFolderAreSaidToBeThere) {
     const Scratch scratch;
     expect_refused(scratch, {fmt::format("render '{}' -o '{}' --size 16x16",
                                          case_file("texture-outside.gltf"), scratch / "a.png"),
-                             2, "may lead out of the file's folder"});
+                             3, "may lead out of the file's folder"});
 }
 
 TEST(SentencesAboutNames, AreShortHoweverLongTheNameIs) {
