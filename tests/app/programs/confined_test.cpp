@@ -46,7 +46,7 @@ TEST_F(Confined, ImagesOfRecipes) {
         scratch_.write("in/r.json", recipe.dump());
         expect_confined("bake sample:cube -r r.json -s 16 -o a.png --force");
         expect_confined("render --direct sample:cube -r r.json --size 16x16 -o b.png");
-        expect_confined("metrics sample:cube -r r.json -s 16 --levels");
+        expect_confined("metrics sample:cube -r r.json -a quad -s 16");
         expect_confined("show r.json");
         expect_confined("bench synthesis -r r.json --size 8 --repeats 1");
     }
