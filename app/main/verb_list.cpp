@@ -152,22 +152,18 @@ void add_list(CLI::App& program) {
     auto what = std::make_shared<std::string>();
     auto platform = std::make_shared<std::string>(gl_platforms()[0]);
     auto json = std::make_shared<bool>(false);
-    verb->add_option(
-            "what", *what,
-            "recipes, materials, meshes, atlases, noises, nodes, parameters, figures, environments "
-            "or gl")
-        ->check(one_of({"recipes", "materials", "meshes", "atlases", "noises", "nodes",
-                        "parameters", "figures", "environments", "gl"}));
+    const std::vector<std::string> topics{"recipes",      "materials", "meshes",     "atlases",
+                                          "noises",       "nodes",     "parameters", "figures",
+                                          "environments", "gl"};
+    const std::string all = fmt::format("{}", fmt::join(topics, ", "));
+    verb->add_option("what", *what, all)->check(one_of(topics));
     auto* gl = verb->add_option("--gl", *platform,
                                 "gl: osmesa (software) or egl (a graphics "
                                 "processor)")
                    ->capture_default_str();
     verb->add_flag("--json", *json, "Print JSON");
-    verb->callback([what, platform, gl, json] {
-        if (what->empty())
-            throw Error(ExitCode::usage,
-                        "list what? recipes, materials, meshes, atlases, noises, nodes, "
-                        "parameters, figures, environments or gl");
+    verb->callback([what, platform, gl, json, all] {
+        if (what->empty()) throw Error(ExitCode::usage, fmt::format("list what? {}", all));
         if (gl->count() > 0 && *what != "gl")
             throw Error(ExitCode::usage,
                         fmt::format("list {}: --gl does nothing there, leave it out", *what));

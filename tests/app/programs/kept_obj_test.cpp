@@ -226,7 +226,7 @@ TEST_F(KeptObjFile, JoinsLinesThatGoOn) {
     EXPECT_EQ(read("out.obj").faces[2].uvs[1], "0.5 0.25");
 }
 
-/// What stays has its own look beside the texture when the file is drawn.
+/// A material that stays has its own look beside the texture when the file is drawn.
 TEST_F(KeptObjFile, IsDrawnWithBothLibraries) {
     scratch.write("my.mtl", "newmtl Glass\nKd 0 1 0\nnewmtl Metal shiny\nKd 1 0 0\n");
     bake("out.obj", "--material 'Wood*'");
