@@ -6,6 +6,12 @@ namespace {
 
 constexpr double frame_steps = 1.0 / frame_step;  ///< a side of the unit frame
 
+/// The nearest whole number; of two the larger, also where x has been rounded by up to 2^-13. In a
+/// box whose side is a power of two, half the coordinates of 24 bits lie between two steps.
+Vec3d nearest_step(const Vec3d& x) {
+    return glm::floor(glm::floor(x * 0x1p12 + 0.5) * 0x1p-12 + 0.5);
+}
+
 }  // namespace
 
 Mesh in_unit_frame(const Mesh& mesh) {
@@ -16,7 +22,7 @@ Mesh in_unit_frame(const Mesh& mesh) {
     const double side = box.longest_side();
     if (!(side > 0.0)) return result;
     for (Vec3d& p : result.positions)
-        p = glm::floor((p - box.low) / side * frame_steps + 0.5) / frame_steps;
+        p = nearest_step((p - box.low) / side * frame_steps) / frame_steps;
     return result;
 }
 

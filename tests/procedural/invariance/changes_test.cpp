@@ -23,9 +23,17 @@ constexpr AtlasKind all_kinds[] = {AtlasKind::uniform, AtlasKind::area,  AtlasKi
                                    AtlasKind::quad,    AtlasKind::patch, AtlasKind::chart,
                                    AtlasKind::uv};
 
+/// A ball in single precision, as files have them: many of its places in the unit frame are ties.
+Mesh ball_of_floats() {
+    Mesh mesh = made::ball(4);
+    for (Vec3d& p : mesh.positions) p = Vec3d(Vec3f(p));
+    return mesh;
+}
+
 /// Meshes of which no triangle lies on another, and then `nasty`, which has such.
 std::vector<made::Named> changed_meshes(AtlasKind kind, bool with_copies) {
     std::vector<made::Named> meshes{{"ball", made::ball(3)},
+                                    {"floats", ball_of_floats()},
                                     {"ring", made::ring(24, 12)},
                                     {"box", made::box(4)},
                                     {"grid", made::grid(9, 7)}};
