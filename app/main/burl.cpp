@@ -72,6 +72,18 @@ std::string unknown_option(const CLI::App& program, const CLI::App& verb) {
     return fmt::format("there is no option {}; {}", name, did_you_mean(name, option_names(verb)));
 }
 
+/// The sentence about a long option behind one dash, as -size, which counts as the value ize of -s;
+/// empty where there is none.
+std::string one_dash(const CLI::App& verb, std::span<char*> arguments) {
+    const std::vector<std::string> names = option_names(verb);
+    for (const std::string_view word : arguments) {
+        const std::string name = fmt::format("-{}", word.substr(0, word.find('=')));
+        if (word.starts_with('-') && !word.starts_with("--") && std::ranges::count(names, name))
+            return fmt::format("{} has two dashes: {} ", name.substr(1), name);
+    }
+    return {};
+}
+
 /// The sentence about a wrong option or argument of a verb.
 std::string wrong_argument(const CLI::App& verb, const CLI::ParseError& wrong) {
     const std::string said = wrong.what(), name = said.substr(0, said.find(':'));
@@ -88,10 +100,10 @@ std::string usage_sentence(const CLI::App& program, const CLI::ParseError& wrong
                            std::span<char*> arguments) {
     const std::vector<CLI::App*> chosen = program.get_subcommands();
     if (!chosen.empty()) {
-        const std::string unknown = unknown_option(program, *chosen[0]);
-        return fmt::format("{}(try `burl {} --help`)",
-                           unknown.empty() ? wrong_argument(*chosen[0], wrong) : unknown,
-                           chosen[0]->get_name());
+        std::string sentence = unknown_option(program, *chosen[0]);
+        if (sentence.empty()) sentence = one_dash(*chosen[0], arguments);
+        if (sentence.empty()) sentence = wrong_argument(*chosen[0], wrong);
+        return fmt::format("{}(try `burl {} --help`)", sentence, chosen[0]->get_name());
     }
     if (arguments.size() < 2 || program.get_option_no_throw(arguments[1]) != nullptr)
         return "a verb is missing (try `burl --help`)";

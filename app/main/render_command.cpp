@@ -111,7 +111,7 @@ void check_frames(const RenderCommand& command, const GivenOptions& given) {
     if (!holds_frames(format))
         given.refuse({"--fps"}, "is of .webp, .gif and .apng; numbered .png have no speed");
     if (format != PictureFormat::webp)
-        given.refuse({"--quality"}, "is of .webp; other pictures lose nothing by it");
+        given.refuse({"--quality"}, "is of .webp; no other picture has it");
 }
 
 /// Throws Error(usage) for options of planes and meshes that are not there.

@@ -34,6 +34,23 @@ Parser parser_for(const std::string& path) {
                                               : fmt::format("'{}' meshes", extension)));
 }
 
+/// Throws Error where the file is empty or begins as a file of another format than its name says:
+/// as a GLB, as a PLY, or, named as a glTF, as no JSON.
+void check_beginning(const FileBuffer& file) {
+    if (file.size == 0) throw invalid_file(file.path, 0, "the file is empty");
+    const std::string_view text = file.text();
+    const std::string extension = lower_extension(file.path);
+    const bool gltf = extension == ".gltf" || extension == ".glb";
+    if (!gltf && text.starts_with("glTF"))
+        throw invalid_file(file.path, 0, "the file is a .glb; name it so");
+    if (extension != ".ply" && (text.starts_with("ply\n") || text.starts_with("ply\r")))
+        throw invalid_file(file.path, 0, "the file is a .ply; name it so");
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    if (gltf && !text.starts_with("glTF") && (first == text.npos || text[first] != '{'))
+        throw invalid_file(file.path, 0,
+                           "the file is no glTF; a .gltf begins with '{' and a .glb with 'glTF'");
+}
+
 /// Runs `step`, turning exhausted memory into an Error.
 template <typename Step>
 auto with_memory_error(const std::string& path, const Step& step) {
@@ -50,7 +67,7 @@ auto with_memory_error(const std::string& path, const Step& step) {
 
 PolygonSoup parse_mesh(const FileBuffer& file, const ReadOptions& options) {
     const Parser parse = parser_for(file.path);
-    if (file.size == 0) throw invalid_file(file.path, 0, "the file is empty");
+    check_beginning(file);
     return with_memory_error(file.path, [&] { return parse(file, options); });
 }
 

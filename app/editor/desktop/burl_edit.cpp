@@ -139,7 +139,13 @@ int main(int argc, char** argv) {
         return int(burl::ExitCode::usage);
     }
     if (!manual.empty()) return print_manual(program, manual);
-    if (burl::names_recipe_file(command.editor.mesh) && program.count("--recipe") == 0)
+    if (burl::names_recipe_file(command.editor.mesh) && program.count("--recipe") > 0) {
+        burl::warn(fmt::format("burl-edit: {} is a recipe, and --recipe names another; give one of "
+                               "them, or a mesh",
+                               command.editor.mesh));
+        return int(burl::ExitCode::usage);
+    }
+    if (burl::names_recipe_file(command.editor.mesh))
         command.editor.recipe = std::exchange(command.editor.mesh, burl::EditorOptions{}.mesh);
     command.editor.synthesis = *burl::enum_named<burl::EditSynthesis>(command.synthesis);
     try {

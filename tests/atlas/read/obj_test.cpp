@@ -137,6 +137,13 @@ TEST(ReadMesh, WhatCannotBeOpened) {
     EXPECT_EQ(read_text("A.ObJ", three_vertices + "f 1 2 3\n").triangles.size(), 1u);
 }
 
+TEST(ReadMesh, FilesNamedAsAnotherFormat) {
+    const std::string triangle = three_vertices + "f 1 2 3\n";
+    expect_invalid("a.obj", std::string("glTF\2\0\0\0", 8), "the file is a .glb; name it so");
+    expect_invalid("a.off", "ply\nformat ascii 1.0\n", "the file is a .ply; name it so");
+    for (const char* name : {"a.gltf", "a.glb"}) expect_invalid(name, triangle, "is no glTF");
+}
+
 TEST(ReadMesh, NoPermission) {
     const std::string path = test::write_file("a.obj", three_vertices);
     std::filesystem::permissions(path, std::filesystem::perms::none);

@@ -72,6 +72,14 @@ TEST(EditDesktop, AnUnknownOptionIsAWrongCommandLine) {
     EXPECT_EQ(manual.err, "burl-edit: --manual nope: must be man, bash, zsh or fish\n");
 }
 
+TEST(EditDesktop, TwoRecipesAreAWrongCommandLine) {
+    const test::Scratch scratch;
+    const test::Outcome run = test::run_program(scratch, "burl-edit", "my.json --recipe oak");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.err.find("my.json is a recipe, and --recipe names another"), std::string::npos)
+        << run.err;
+}
+
 TEST(EditDesktop, ARecipeAloneIsShownOnTheTeapot) {
     const test::Scratch scratch;
     scratch.write("s.json", R"({"burl_input": 1, "size": [400, 300], "steps": [
