@@ -6,10 +6,10 @@ namespace {
 
 constexpr double frame_steps = 1.0 / frame_step;  ///< a side of the unit frame
 
-/// The nearest whole number; of two the larger, also where x has been rounded by up to 2^-13. In a
+/// The nearest whole number; of two the larger, also where x has been rounded by up to 2^-17. In a
 /// box whose side is a power of two, half the coordinates of 24 bits lie between two steps.
 Vec3d nearest_step(const Vec3d& x) {
-    return glm::floor(glm::floor(x * 0x1p12 + 0.5) * 0x1p-12 + 0.5);
+    return glm::floor(glm::floor(x * 0x1p16 + 0.5) * 0x1p-16 + 0.5);
 }
 
 }  // namespace

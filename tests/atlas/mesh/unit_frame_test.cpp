@@ -25,7 +25,7 @@ TEST(UnitFrame, RoundsToTheNearestStep) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         for (int axis = 0; axis < 3; ++axis) {
             const double steps = (mesh.positions[i][axis] + 1.0) * 0x1p23;
-            EXPECT_LE(std::abs(framed.positions[i][axis] * 0x1p24 - steps), 0.5 + 0x1p-13);
+            EXPECT_LE(std::abs(framed.positions[i][axis] * 0x1p24 - steps), 0.5 + 0x1p-17);
             ties += steps - std::floor(steps) == 0.5;
         }
     EXPECT_GT(ties, mesh.positions.size() / 2);
