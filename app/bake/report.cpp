@@ -115,12 +115,14 @@ void print_summary(const Json& report, const std::vector<std::string>& paths) {
     const Json& atlas = report["atlas"];
     std::string name = paths.front();
     if (paths.size() > 1) name += " to " + paths.back();
+    const std::size_t others = report.contains("others") ? report["others"].size() : 0;
     print_line(fmt::format(
-        "{}: {} triangles, {} atlas {} x {}, coverage {:.1f} %, relative scale {:.2f}, {:.2f} s",
+        "{}: {} triangles, {} atlas {} x {}, coverage {:.1f} %, relative scale {:.2f}, {:.2f} s{}",
         name, report["mesh"]["triangles"].get<std::uint64_t>(), atlas["kind"].get<std::string>(),
         atlas["width"].get<int>(), atlas["height"].get<int>(),
         100.0 * atlas["coverage"].get<double>(), atlas["relative_scale"].get<double>(),
-        report["seconds"]["total"].get<double>()));
+        report["seconds"]["total"].get<double>(),
+        others > 0 ? fmt::format("; the first of {} atlases", others + 1) : ""));
     if (report.contains("compressed")) print_compressed(report["compressed"]);
 }
 

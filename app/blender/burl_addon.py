@@ -204,6 +204,8 @@ class Translator:
         displacement = self.link_of(out.inputs["Displacement"])
         if displacement:
             self.fail([], displacement.from_node, "displacement")
+        if self.link_of(out.inputs["Volume"]):
+            self.notes.append("Volume is left out")
         stack, node, socket = [], link.from_node, link.from_socket
         while node.bl_idname == "NodeReroute" and self.link_of(node.inputs[0]):
             link = self.link_of(node.inputs[0])
@@ -218,6 +220,7 @@ class Translator:
         elif node.bl_idname == "ShaderNodeBsdfDiffuse":
             material["base_color"] = self.base(self.value(stack, node.inputs["Color"]))
             material["roughness"] = 1.0
+            self.leave_out(node, ("Roughness",))
             bump = self.bump(stack, node, node.inputs["Normal"])
         elif node.bl_idname == "ShaderNodeEmission":
             material["base_color"] = {"node": "constant", "value": "#000000"}
@@ -258,13 +261,19 @@ class Translator:
         if not self.link_of(node.inputs["IOR"]):
             material["ior"] = max(float(node.inputs["IOR"].default_value), 1.0)
         self.emission(stack, input_of(node, "Emission"), node.inputs["Emission Strength"], material)
-        for name in ("Subsurface", "Anisotropic", "Sheen"):
-            if self.link_of(input_of(node, name)) or input_of(node, name).default_value:
-                self.notes.append(f"{name} is left out")
-        for name in ("Clearcoat Normal", "Tangent", "Specular Tint"):
+        self.leave_out(node, ("Subsurface", "Anisotropic", "Sheen"))
+        if material["transmission"] and "Transmission Roughness" in node.inputs:
+            self.leave_out(node, ("Transmission Roughness",))
+        for name in ("Clearcoat Normal", "Tangent", "Specular Tint", "IOR"):
             if name in node.inputs and self.link_of(node.inputs[name]):
                 self.notes.append(f"{name} is left out")
         return self.bump(stack, node, node.inputs["Normal"])
+
+    def leave_out(self, node, names):
+        """Notes those of the inputs that are linked or not 0, which no picture says."""
+        for name in names:
+            if self.link_of(input_of(node, name)) or input_of(node, name).default_value:
+                self.notes.append(f"{name} is left out")
 
     def emission(self, stack, color, strength, material):
         linked = self.link_of(color) or self.link_of(strength)

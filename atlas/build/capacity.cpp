@@ -51,12 +51,13 @@ std::string shortage(const Capacity& c) {
     return fmt::format("{}: a colour per vertex would show as much; {}{}", found, least, good);
 }
 
-std::string why_no_patches(const Connectivity& connectivity, std::uint32_t size) {
-    const double each =
-        double(size) * size / double(std::max<std::uint64_t>(connectivity.shells, 1));
+std::string why_no_patches(const Connectivity& connectivity, const AtlasOptions& options) {
+    const double each = double(options.size) * options.size /
+                        double(std::max<std::uint64_t>(connectivity.shells, 1));
     if (connectivity.shells <= many_shells || each >= least_texels_per_shell) return "";
-    return fmt::format("{} loose pieces would have {:.3g} texels each, too few for patches",
-                       connectivity.shells, each);
+    return fmt::format("{} loose pieces would have {:.3g} texels each, too few for {}",
+                       connectivity.shells, each,
+                       options.kind == AtlasKind::chart ? "charts" : "patches");
 }
 
 }  // namespace burl

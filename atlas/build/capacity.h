@@ -38,8 +38,8 @@ Capacity capacity(std::uint64_t triangles, const AtlasOptions& options);
 /// suffice.
 std::string shortage(const Capacity& capacity);
 
-/// One clause on why patches are not worth trying: the mesh is mostly loose pieces, each of which
-/// would get a block of its own. Empty where patches are worth trying.
-std::string why_no_patches(const Connectivity& connectivity, std::uint32_t size);
+/// One clause on why patches, or charts, are not worth trying: the mesh is mostly loose pieces,
+/// each of which would get a block of its own. Empty where they are worth trying.
+std::string why_no_patches(const Connectivity& connectivity, const AtlasOptions& options);
 
 }  // namespace burl

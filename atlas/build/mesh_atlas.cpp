@@ -44,7 +44,7 @@ std::optional<MeshAtlas> pack(const Mesh& mesh, const Connectivity& connectivity
     if (options.kind != AtlasKind::patch && options.kind != AtlasKind::chart)
         return MeshAtlas(layout_atlas(mesh, connectivity, options));
     check_size(options);
-    const std::string no_patches = why_no_patches(connectivity, options.size);
+    const std::string no_patches = why_no_patches(connectivity, options);
     if (!no_patches.empty())
         return MeshAtlas(layout_pairs(mesh, connectivity, options, no_patches));
     const bool charts = options.kind == AtlasKind::chart;

@@ -46,7 +46,8 @@ void check_beginning(const FileBuffer& file) {
     if (extension != ".ply" && (text.starts_with("ply\n") || text.starts_with("ply\r")))
         throw invalid_file(file.path, 0, "the file is a .ply; name it so");
     const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-    if (gltf && !text.starts_with("glTF") && (first == text.npos || text[first] != '{'))
+    if (gltf && !text.starts_with("glTF") &&
+        (first == text.npos || (text[first] != '{' && text[first] != '[')))
         throw invalid_file(file.path, 0,
                            "the file is no glTF; a .gltf begins with '{' and a .glb with 'glTF'");
 }

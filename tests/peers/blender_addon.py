@@ -333,6 +333,30 @@ def check_refusal():
     raise AssertionError("nodes that Burl does not know were baked")
 
 
+def check_notes():
+    """Inputs that no picture says are told, and only those."""
+    translator = sys.modules["burl_addon"].Translator
+    thing = suzanne()
+
+    def notes_of(t):
+        told = translator(t.material, thing)
+        told.recipe(64)
+        return told.notes
+
+    assert notes_of(Tree("plain")) == []
+    t = Tree("glass")
+    weight = t.node("LayerWeight").outputs[0]
+    t.set(t.surface.inputs["IOR"], weight)
+    t.set(t.surface.inputs["Transmission"], 1.0)
+    t.set(t.surface.inputs["Transmission Roughness"], 0.8)
+    t.set(t.own.get_output_node("CYCLES").inputs["Volume"], t.node("VolumeAbsorption").outputs[0])
+    told = notes_of(t)
+    assert told == ["Volume is left out", "Transmission Roughness is left out", "IOR is left out"], told
+    t = Tree("clay")
+    t.set(t.own.get_output_node("CYCLES").inputs["Surface"], t.node("BsdfDiffuse", {"Roughness": 1.0}).outputs[0])
+    assert notes_of(t) == ["Roughness is left out"], notes_of(t)
+
+
 def check_clear_and_bright():
     """Opacity and light of a tree come back linked, and the result is one step of undo."""
     thing = suzanne()
@@ -515,6 +539,7 @@ def main():
     check_eight_layers()
     check_language()
     check_no_light()
+    check_notes()
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.samples = 1

@@ -140,9 +140,10 @@ int main(int argc, char** argv) {
     }
     if (!manual.empty()) return print_manual(program, manual);
     if (burl::names_recipe_file(command.editor.mesh) && program.count("--recipe") > 0) {
-        burl::warn(fmt::format("burl-edit: {} is a recipe, and --recipe names another; give one of "
-                               "them, or a mesh",
-                               command.editor.mesh));
+        burl::warn(
+            fmt::format("burl-edit: {} is a recipe, and --recipe names another; give one of "
+                        "them, or a mesh",
+                        command.editor.mesh));
         return int(burl::ExitCode::usage);
     }
     if (burl::names_recipe_file(command.editor.mesh))

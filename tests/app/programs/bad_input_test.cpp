@@ -114,6 +114,8 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedCase{"ListOfNothing", "list", 1, "list what? recipes, materials,"},
         RefusedCase{"ListOfWhatThereIsNot", "list foo", 1, "foo is none of recipes, materials,"},
         RefusedCase{"NoValue", "bake sample:cube -o OUT/a.glb --size", 1, "--size needs a value"},
+        RefusedCase{"OneDash", "bake sample:cube -o OUT/a.glb -size 64", 1,
+                    "-size has two dashes: --size"},
         RefusedCase{"TwoValues", "bake sample:cube -o OUT/a.glb --size 8 --size 9", 1,
                     "--size is given more than once"},
         RefusedCase{"TwoMeshes", "bake sample:cube a.obj -o OUT/a.glb", 1,

@@ -50,10 +50,13 @@ TEST(Capacity, SaysSoInOneSentence) {
 TEST(Capacity, LoosePiecesAreToldByTexelsEach) {
     Connectivity pieces;
     pieces.shells = 1000;
-    EXPECT_EQ(why_no_patches(pieces, 512), "");  // 262 texels each
-    EXPECT_NE(why_no_patches(pieces, 500), "");  // 250
+    EXPECT_EQ(why_no_patches(pieces, of(AtlasKind::patch, 512)), "");  // 262 texels each
+    EXPECT_EQ(why_no_patches(pieces, of(AtlasKind::patch, 500)),
+              "1000 loose pieces would have 250 texels each, too few for patches");
+    EXPECT_EQ(why_no_patches(pieces, of(AtlasKind::chart, 500)),
+              "1000 loose pieces would have 250 texels each, too few for charts");
     pieces.shells = 20;
-    EXPECT_EQ(why_no_patches(pieces, 4), "");
+    EXPECT_EQ(why_no_patches(pieces, of(AtlasKind::patch, 4)), "");
 }
 
 TEST(Capacity, MostlyLoosePiecesBecomePairs) {
