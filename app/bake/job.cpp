@@ -251,9 +251,10 @@ std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
                     "--synth gl, gl-multipass or auto, or leave --gl out");
     const std::string platform = command_.platform.empty() ? gl_platforms()[0] : command_.platform;
     if (synth == multipass_synth) return choose_multipass(multipass, platform, *recipes_);
-    const SynthesisChoice choice = synth == "host" || !any ? SynthesisChoice::host
-                                   : synth == "gl"         ? SynthesisChoice::gl
-                                                           : SynthesisChoice::automatic;
+    const bool host = synth == "host" || !any || needs_host();
+    const SynthesisChoice choice = host            ? SynthesisChoice::host
+                                   : synth == "gl" ? SynthesisChoice::gl
+                                                   : SynthesisChoice::automatic;
     return choose_synthesizer(choice, platform, *recipes_);
 }
 

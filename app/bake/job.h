@@ -86,6 +86,9 @@ class BakeJob {
                                      std::uint32_t levels) const;
     void check() const;
     void check_files(const std::vector<std::string>& paths) const;
+    void check_tiles(const std::vector<std::string>& paths) const;
+    bool needs_host() const;
+    bool names_files_of_mesh() const;
     std::string not_of(const Recipe& recipe) const;
     double noises() const;
     void check_displacement() const;

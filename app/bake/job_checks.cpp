@@ -75,10 +75,18 @@ void BakeJob::check_coding() const {
 std::string BakeJob::not_of(const Recipe& recipe) const {
     if (plan_.levels.rule.direct) return "--level-rule direct";
     if (command_.compress) return "--compress";
-    if (command_.synth != "host") return "--synth " + command_.synth;
+    if (command_.synth.starts_with("gl")) return "--synth " + command_.synth;
     if (recipe.precision.kind == PrecisionKind::fixed) return "--precision fixed";
     const bool any = command_.kernel == "auto" || command_.kernel == reference_kernel;
     return any ? "" : "--kernel " + command_.kernel;
+}
+
+/// Whether OpenGL cannot make what is asked for, whatever the recipe's colour: pictures of a
+/// material, or an atlas that several recipes share.
+bool BakeJob::needs_host() const {
+    return !sharing_.empty() || std::ranges::any_of(*recipes_, [&](const Recipe& recipe) {
+        return has_pictures(recipe, plan_.packing, plan_.material().rough_levels());
+    });
 }
 
 /// Warns of 16 bits in a glTF.
