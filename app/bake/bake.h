@@ -86,6 +86,10 @@ struct BakeResult {
 /// Sentences on what texture coordinates cannot show.
 std::vector<std::string> uv_losses(const Mesh& mesh, const LayoutNotes& notes);
 
+/// The plan's shader of the recipe on the mesh; empty where the plan has none. What it leaves out
+/// is told.
+std::string shader_text(const BakePlan& plan, const Mesh& mesh, const Recipe& recipe);
+
 /// Bakes the pipeline's mesh and writes the plan's files; if `pose` is not null, the mesh is
 /// exported in that pose. All files of a frame are committed together or not at all. Memory that a
 /// `later` bake does not reuse is freed early. Throws Error, also where a frame's lattice is too
