@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "app/base/json_text.h"
+#include "app/export/export.h"
 #include "app/recipe/presets.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
@@ -219,6 +220,12 @@ std::vector<std::string> files_of_mesh(const std::string& mesh_path, MeshFiles w
     } catch (const Error&) {
     }
     return files;
+}
+
+bool keeps_file_names(const std::string& mesh_path, const std::string& out_path) {
+    if (is_sample_mesh(mesh_path)) return false;
+    if (has_gltf_extension(mesh_path)) return lower_extension(out_path) == ".gltf";
+    return lower_extension(mesh_path) == ".obj" && is_obj(out_path);
 }
 
 std::vector<std::string> images_of_recipe(const std::string& path_or_preset, const Recipe& recipe) {

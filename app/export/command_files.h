@@ -78,6 +78,10 @@ std::vector<std::string> files_of_mesh(const std::string& mesh_path,
                                        MeshFiles which = MeshFiles::named,
                                        NamedFiles named = NamedFiles::below);
 
+/// Whether an output that keeps the rest of the mesh's file may name the files that that names: the
+/// images of a glTF, in a .gltf, or the material libraries of an OBJ.
+bool keeps_file_names(const std::string& mesh_path, const std::string& out_path);
+
 /// The paths of the images of a recipe and its bumps, which are relative to the folder of its file;
 /// each once.
 std::vector<std::string> images_of_recipe(const std::string& path_or_preset, const Recipe& recipe);
