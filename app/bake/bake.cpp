@@ -282,7 +282,9 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     go_on(plan, tasks::points);
     const MeshAtlas& atlas = *made;
     tell(plan, mesh, atlas.atlas().notes.fallback);
-    for (const std::string& loss : uv_losses(mesh, atlas.atlas().notes)) tell(plan, mesh, loss);
+    result.tile_notes = plan.tile_notes;
+    for (const std::string& loss : uv_losses(mesh, plan.tile_notes.value_or(atlas.atlas().notes)))
+        tell(plan, mesh, loss);
     tell_shortage(plan, mesh, recipe.atlas, &atlas);
     if (later == LaterBake::none) stages.connectivity.release_neighbours();
     const SolidAtlas& points = pipeline.solid();

@@ -341,6 +341,8 @@ Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResu
         // All charts were measured in one tile.
         Json& coverage = report["atlas"]["coverage"];
         coverage = coverage.get<double>() / double(result.paths.size());
+        report["atlas"]["overlapped_texels"] = result.tile_notes->overlapped_texels;
+        report["atlas"]["overlapping_triangles"] = result.tile_notes->overlapping_triangles;
         report["udim_paths"] = result.paths;
     }
     for (const Recipe& one : sharing_) report["recipes"].push_back(Json::parse(to_json(one)));
