@@ -278,6 +278,7 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     if (command_.udim) {
         plan = plan_of_tiles(pipeline, plan, recipes[0]);
         check_files(plan.paths);
+        check_tiles(plan.paths);
         check_noises(command_.out, noises() * double(plan.paths.size()), command_.recipe);
         if (plan.paths.size() > 1) later = std::max(later, LaterBake::mesh);
     }

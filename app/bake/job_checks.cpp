@@ -29,6 +29,15 @@ void BakeJob::check_files(const std::vector<std::string>& paths) const {
     files.write(record_path(command_.out));
 }
 
+/// Throws Error if a file of the UDIM tiles at the paths is one that another bake of the batch
+/// reads or writes.
+void BakeJob::check_tiles(const std::vector<std::string>& paths) const {
+    if (!batch_files_) return;
+    for (const std::string& path : paths)
+        for (const std::string& file : paths_of(path, plan_.levels.count))
+            batch_files_->check(file);
+}
+
 /// Throws Error(usage) where the output holds no strips.
 void BakeJob::check_strips() const {
     if (command_.strips && !holds_strips(command_.out))

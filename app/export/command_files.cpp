@@ -191,10 +191,14 @@ void CommandFiles::write(const std::string& path, std::string_view extension) {
     check_output_name(path);
     check_output_folder(new_folders_ ? in_existing_folder(path) : path);
     check_output_file(path);
+    check(path);
+    written_.add(path);
+}
+
+void CommandFiles::check(const std::string& path) const {
     if (const auto* other = read_.find(path)) refuse_overwriting(path, other->name, "reads");
     if (const auto* other = written_.find_path(path))
         refuse_overwriting(path, other->name, "also writes");
-    written_.add(path);
 }
 
 void check_scene_name(const std::string& out) {

@@ -57,6 +57,9 @@ class CommandFiles {
     /// another output.
     void write(const std::string& path, std::string_view extension = {});
 
+    /// Throws Error(io) where the file is an input or an output.
+    void check(const std::string& path) const;
+
   private:
     FileNames read_, written_;
     bool new_folders_ = false;
