@@ -51,15 +51,6 @@ void go_on(const BakePlan& plan, const char* next) {
     if (plan.told) plan.told->meter().begin(next);
 }
 
-std::string shader_text(const BakePlan& plan, const Pipeline& pipeline) {
-    if (plan.shader.empty()) return "";
-    const Recipe& recipe = pipeline.recipe();
-    const EmittedShader shader =
-        emit_glsl(recipe, solid_from_mesh(pipeline.mesh(), recipe.solid.space));
-    for (const std::string& note : shader.notes) tell(plan, pipeline.mesh(), note);
-    return shader.text;
-}
-
 void set_frame(Pipeline& pipeline, const BakePlan& plan, std::size_t number) {
     const Recipe recipe = plan.recipe(number);
     check_lattice(recipe, pipeline.mesh());
@@ -261,6 +252,13 @@ std::vector<std::string> uv_losses(const Mesh& mesh, const LayoutNotes& notes) {
     return losses;
 }
 
+std::string shader_text(const BakePlan& plan, const Mesh& mesh, const Recipe& recipe) {
+    if (plan.shader.empty()) return "";
+    const EmittedShader shader = emit_glsl(recipe, solid_from_mesh(mesh, recipe.solid.space));
+    for (const std::string& note : shader.notes) tell(plan, mesh, note);
+    return shader.text;
+}
+
 BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, LaterBake later) {
     BakeResult result;
     result.levels.rule = plan.levels.rule;
@@ -268,7 +266,7 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     const Mesh& mesh = pipeline.mesh();
     set_frame(pipeline, plan, 0);
     const Recipe& recipe = pipeline.recipe();
-    const std::string shader = shader_text(plan, pipeline);
+    const std::string shader = shader_text(plan, mesh, recipe);
 
     StageContext& context = pipeline.context();
     Stages& stages = pipeline.stages();
@@ -284,7 +282,9 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     go_on(plan, tasks::points);
     const MeshAtlas& atlas = *made;
     tell(plan, mesh, atlas.atlas().notes.fallback);
-    for (const std::string& loss : uv_losses(mesh, atlas.atlas().notes)) tell(plan, mesh, loss);
+    result.tile_notes = plan.tile_notes;
+    for (const std::string& loss : uv_losses(mesh, plan.tile_notes.value_or(atlas.atlas().notes)))
+        tell(plan, mesh, loss);
     tell_shortage(plan, mesh, recipe.atlas, &atlas);
     if (later == LaterBake::none) stages.connectivity.release_neighbours();
     const SolidAtlas& points = pipeline.solid();

@@ -53,6 +53,8 @@ struct BakePlan {
     std::shared_ptr<const KeptObj> obj{};  ///< the mesh's own OBJ, of which an .obj keeps the rest
     bool vertex_colors = false;            ///< whether colours per point replace the texture
     bool strips = false;                   ///< whether the scene has triangle strips
+    /// Notes of the layouts of all UDIM tiles; none: the atlas has its own.
+    std::optional<LayoutNotes> tile_notes{};
     Course* told = nullptr;  ///< is told what is done, and how much of it; null: nobody is
     /// A request by another thread to stop: bake() then throws Error(runtime) soon. Files of frames
     /// that are done stay; of the frame under way none is written.
@@ -77,14 +79,19 @@ struct BakeResult {
     LevelsAsked levels{};  ///< MIP levels that were written; strip atlases have few
     std::optional<NormalMap> normals{};
     BakedAtlas texture{};  ///< texture; empty if it was written in bands (comes_in_bands)
-    std::optional<Vec3d> solid_base;  ///< solid map's base (app/export/emit.h)
-    StripCounts strips{};             ///< of scenes with triangle strips
+    std::optional<Vec3d> solid_base;          ///< solid map's base (app/export/emit.h)
+    std::optional<LayoutNotes> tile_notes{};  ///< as in the plan
+    StripCounts strips{};                     ///< of scenes with triangle strips
     std::vector<std::string> lost{};  ///< what of the mesh's document the output does not hold
     double writing = 0.0;             ///< seconds spent on files rather than on stages
 };
 
 /// Sentences on what texture coordinates cannot show.
 std::vector<std::string> uv_losses(const Mesh& mesh, const LayoutNotes& notes);
+
+/// The plan's shader of the recipe on the mesh; empty where the plan has none. What it leaves out
+/// is told.
+std::string shader_text(const BakePlan& plan, const Mesh& mesh, const Recipe& recipe);
 
 /// Bakes the pipeline's mesh and writes the plan's files; if `pose` is not null, the mesh is
 /// exported in that pose. All files of a frame are committed together or not at all. Memory that a

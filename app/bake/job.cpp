@@ -251,9 +251,10 @@ std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
                     "--synth gl, gl-multipass or auto, or leave --gl out");
     const std::string platform = command_.platform.empty() ? gl_platforms()[0] : command_.platform;
     if (synth == multipass_synth) return choose_multipass(multipass, platform, *recipes_);
-    const SynthesisChoice choice = synth == "host" || !any ? SynthesisChoice::host
-                                   : synth == "gl"         ? SynthesisChoice::gl
-                                                           : SynthesisChoice::automatic;
+    const bool host = synth == "host" || !any || needs_host();
+    const SynthesisChoice choice = host            ? SynthesisChoice::host
+                                   : synth == "gl" ? SynthesisChoice::gl
+                                                   : SynthesisChoice::automatic;
     return choose_synthesizer(choice, platform, *recipes_);
 }
 
@@ -277,6 +278,7 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     if (command_.udim) {
         plan = plan_of_tiles(pipeline, plan, recipes[0]);
         check_files(plan.paths);
+        check_tiles(plan.paths);
         check_noises(command_.out, noises() * double(plan.paths.size()), command_.recipe);
         if (plan.paths.size() > 1) later = std::max(later, LaterBake::mesh);
     }
@@ -340,6 +342,8 @@ Json BakeJob::report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResu
         // All charts were measured in one tile.
         Json& coverage = report["atlas"]["coverage"];
         coverage = coverage.get<double>() / double(result.paths.size());
+        report["atlas"]["overlapped_texels"] = result.tile_notes->overlapped_texels;
+        report["atlas"]["overlapping_triangles"] = result.tile_notes->overlapping_triangles;
         report["udim_paths"] = result.paths;
     }
     for (const Recipe& one : sharing_) report["recipes"].push_back(Json::parse(to_json(one)));

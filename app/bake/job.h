@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/bake/bake.h"
@@ -15,6 +16,8 @@
 #include "atlas/base/json.h"
 
 namespace burl {
+
+class CommandFiles;
 
 /// The recipes of all frames, for the reference kernel if the command asks for it.
 std::shared_ptr<const std::vector<Recipe>> frames_of(const BakeCommand& command);
@@ -29,6 +32,10 @@ class BakeJob {
     const BakeCommand& command() const { return command_; }
     /// Has the progress told of the bake; null: nobody is.
     void tell(Course* course) { command_.told = course; }
+    /// Has files that are not known before the mesh is read compared with those of a batch.
+    void compare_with(std::shared_ptr<const CommandFiles> batch) {
+        batch_files_ = std::move(batch);
+    }
     /// The recipe of the first frame.
     const Recipe& recipe() const { return recipes_->front(); }
     /// The number of pictures of the texture or material, without MIP levels and masks.
@@ -86,6 +93,9 @@ class BakeJob {
                                      std::uint32_t levels) const;
     void check() const;
     void check_files(const std::vector<std::string>& paths) const;
+    void check_tiles(const std::vector<std::string>& paths) const;
+    bool needs_host() const;
+    bool names_files_of_mesh() const;
     std::string not_of(const Recipe& recipe) const;
     double noises() const;
     void check_displacement() const;
@@ -107,6 +117,7 @@ class BakeJob {
     BakePlan plan_;
     std::vector<std::string> inputs_;
     Json made_from_;
+    std::shared_ptr<const CommandFiles> batch_files_;
 };
 
 }  // namespace burl

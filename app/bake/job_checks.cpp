@@ -29,6 +29,15 @@ void BakeJob::check_files(const std::vector<std::string>& paths) const {
     files.write(record_path(command_.out));
 }
 
+/// Throws Error if a file of the UDIM tiles at the paths is one that another bake of the batch
+/// reads or writes.
+void BakeJob::check_tiles(const std::vector<std::string>& paths) const {
+    if (!batch_files_) return;
+    for (const std::string& path : paths)
+        for (const std::string& file : paths_of(path, plan_.levels.count))
+            batch_files_->check(file);
+}
+
 /// Throws Error(usage) where the output holds no strips.
 void BakeJob::check_strips() const {
     if (command_.strips && !holds_strips(command_.out))
@@ -75,10 +84,18 @@ void BakeJob::check_coding() const {
 std::string BakeJob::not_of(const Recipe& recipe) const {
     if (plan_.levels.rule.direct) return "--level-rule direct";
     if (command_.compress) return "--compress";
-    if (command_.synth != "host") return "--synth " + command_.synth;
+    if (command_.synth.starts_with("gl")) return "--synth " + command_.synth;
     if (recipe.precision.kind == PrecisionKind::fixed) return "--precision fixed";
     const bool any = command_.kernel == "auto" || command_.kernel == reference_kernel;
     return any ? "" : "--kernel " + command_.kernel;
+}
+
+/// Whether OpenGL cannot make what is asked for, whatever the recipe's colour: pictures of a
+/// material, or an atlas that several recipes share.
+bool BakeJob::needs_host() const {
+    return !sharing_.empty() || std::ranges::any_of(*recipes_, [&](const Recipe& recipe) {
+        return has_pictures(recipe, plan_.packing, plan_.material().rough_levels());
+    });
 }
 
 /// Warns of 16 bits in a glTF.

@@ -13,6 +13,15 @@
 
 namespace burl {
 
+/// Whether the output may name files that the mesh's own names: a .gltf that is kept, or an .obj
+/// that is carved in part.
+bool BakeJob::names_files_of_mesh() const {
+    const bool keeps = is_gltf(command_.out)
+                           ? kept_document()
+                           : !plan_.displaces && command_.meshes.read.choice.any();
+    return keeps && keeps_file_names(command_.mesh, command_.out);
+}
+
 Json BakeJob::what_it_is_made_from(const Json& settings) const {
     // A document that is kept keeps its other images, too.
     const MeshFiles which = kept_document() ? MeshFiles::named : MeshFiles::read;
@@ -31,6 +40,7 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
                       {"recipe", Json::parse(to_json(recipe()))},
                       {"options", settings}};
     if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
+    if (names_files_of_mesh()) made_from["place"] = place_of(command_.mesh, command_.out);
     for (const Recipe& recipe : sharing_)
         made_from["recipes"].push_back(Json::parse(to_json(recipe)));
     for (const BakeJob& other : others_) {

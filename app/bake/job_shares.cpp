@@ -41,20 +41,29 @@ std::span<const Recipe> BakeJob::recipes_of_atlas() const {
     return sharing_.empty() ? std::span(recipes_->data(), 1) : sharing_;
 }
 
-/// Throws Error(usage) where the command asks for what recipes that share an atlas cannot have.
+/// Throws Error(usage) where the command asks for what several atlases, or recipes that share one,
+/// cannot have.
 void BakeJob::check_shares() const {
-    if (sharing_.empty()) return;
-    const auto refuse = [&](const std::string& option) {
+    const char* const single = !command_.emitted_glsl.empty() ? "--emit-glsl"
+                               : !command_.solid_map.empty()  ? "--solid-map"
+                               : !command_.channels.empty()   ? "--channels"
+                                                              : nullptr;
+    if (single && (!sharing_.empty() || !others_.empty()))
         throw Error(ExitCode::usage,
-                    fmt::format("{}: {} is not done for an atlas that {} and {} share; add "
-                                "--atlas-per recipe, or leave {} out",
-                                command_.out, option, sharing_[0].name, sharing_[1].name, option));
-    };
+                    fmt::format("{0}: {1} is for one atlas with one recipe, and this bake has {2}; "
+                                "choose what has one with --mesh, --node or --material, or leave "
+                                "{1} out",
+                                command_.out, single,
+                                others_.empty() ? fmt::format("{} recipes", sharing_.size())
+                                                : fmt::format("{} atlases", 1 + others_.size())));
     for (const Recipe& recipe : sharing_)
-        if (const std::string option = not_of(recipe); !option.empty()) refuse(option);
-    if (!command_.emitted_glsl.empty()) refuse("--emit-glsl");
-    if (!command_.solid_map.empty()) refuse("--solid-map");
-    if (!command_.channels.empty()) refuse("--channels");
+        if (const std::string option = not_of(recipe); !option.empty())
+            throw Error(
+                ExitCode::usage,
+                fmt::format("{}: {} is not done for an atlas that {} and {} share; add "
+                            "--atlas-per recipe, or leave {} out",
+                            command_.out, option, sharing_[0].name, sharing_[1].name, option));
+    if (sharing_.empty()) return;
     if (plan_.levels.count > 0) check_shared_levels(sharing_, command_.out);
 }
 

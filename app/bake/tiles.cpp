@@ -72,8 +72,16 @@ BakePlan plan_of_tiles(Pipeline& pipeline, const BakePlan& plan, const Recipe& r
         one.atlas.tile = tiles[number];
         return one;
     };
-    for (std::size_t i = 0; i < tiles.size(); ++i)
-        build_atlas(pipeline.mesh(), connectivity, tiled.recipe(i).atlas);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const MeshAtlas made = build_atlas(pipeline.mesh(), connectivity, tiled.recipe(i).atlas);
+        const LayoutNotes& notes = made.atlas().notes;
+        if (!tiled.tile_notes) {
+            tiled.tile_notes = notes;
+            continue;
+        }
+        tiled.tile_notes->overlapped_texels += notes.overlapped_texels;
+        tiled.tile_notes->overlapping_triangles += notes.overlapping_triangles;
+    }
     return tiled;
 }
 

@@ -11,8 +11,9 @@
 namespace burl {
 
 /// The plan with one output for each of the mesh's UDIM tiles, "a.1002.png" for "a.png", of the
-/// recipe `recipe`. All tiles are laid out once before any is written. Throws Error where the mesh
-/// has no texture coordinates, or a tile is refused (atlas/uv/layout.h).
+/// recipe `recipe`. All tiles are laid out once before any is written; the plan's notes count the
+/// overlaps of all. Throws Error where the mesh has no texture coordinates, or a tile is refused
+/// (atlas/uv/layout.h).
 BakePlan plan_of_tiles(Pipeline& pipeline, const BakePlan& plan, const Recipe& recipe);
 
 /// Cuts the image and the pictures of a texture, with their levels, to the atlas's columns and rows

@@ -21,11 +21,6 @@ fs::path plain_path(const std::string& file) {
     return (gone ? fs::path(file) : absolute).lexically_normal();
 }
 
-/// The path of a file relative to the output's folder, so that a folder may be moved as a whole.
-std::string place_of(const std::string& file, const std::string& out_path) {
-    return plain_path(file).lexically_proximate(plain_path(out_path).parent_path()).string();
-}
-
 Json state_json(const CommittedFile& file) {
     return {{"bytes", file.bytes},
             {"modified", {file.seconds, file.nanoseconds}},
@@ -63,6 +58,10 @@ bool has_its_digest(std::string_view text) {
 }
 
 }  // namespace
+
+std::string place_of(const std::string& file, const std::string& out_path) {
+    return plain_path(file).lexically_proximate(plain_path(out_path).parent_path()).string();
+}
 
 std::string record_path(const std::string& out_path) {
     return out_path + ".burl.json";

@@ -19,6 +19,9 @@ namespace burl {
 /// The path of the record of an output: "a.png.burl.json" for "a.png".
 std::string record_path(const std::string& out_path);
 
+/// The path of a file relative to the output's folder, so that a folder may be moved as a whole.
+std::string place_of(const std::string& file, const std::string& out_path);
+
 /// The names (without folders) and SHA-256 of the files, as JSON; files that cannot be read are
 /// left out.
 Json content_of(std::span<const std::string> files, FileDigests& digests);

@@ -65,10 +65,12 @@ BakeResult bake_vertex_colors(Pipeline& pipeline, const BakePlan& plan, const Me
         if (plan.tell) plan.tell(fmt::format("{}: {}", mesh.name, what));
     };
     if (pose) options.pose = ExportPose{*pose, recipe.pose.weight};
+    const std::string shader = shader_text(plan, mesh, recipe);
     options.vertex_colors = vertex_colors(recipe, mesh);
     if (plan.strips) options.strips = &result.strips;
     const auto writing = std::chrono::steady_clock::now();
     std::vector<AtomicFile> files = scene_files(plan.paths.front(), mesh, {}, {}, options);
+    if (!shader.empty()) files.emplace_back(plan.shader).write(shader);
     result.committed = commit_together(files);
     result.writing = seconds_since(writing);
     return result;

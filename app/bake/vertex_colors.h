@@ -21,8 +21,8 @@ void check_vertex_colors(const std::string& out, const RecipeOptions& recipe);
 /// do not hold.
 std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe);
 
-/// Writes the mesh with the colours of its points; there is no atlas and no image. Throws Error as
-/// vertex_colors() and scene_files() do.
+/// Writes the mesh with the colours of its points, and the plan's shader; there is no atlas and no
+/// image. Throws Error as vertex_colors() and scene_files() do.
 BakeResult bake_vertex_colors(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose);
 
 }  // namespace burl

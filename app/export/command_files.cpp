@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "app/base/json_text.h"
+#include "app/export/export.h"
 #include "app/recipe/presets.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
@@ -190,10 +191,14 @@ void CommandFiles::write(const std::string& path, std::string_view extension) {
     check_output_name(path);
     check_output_folder(new_folders_ ? in_existing_folder(path) : path);
     check_output_file(path);
+    check(path);
+    written_.add(path);
+}
+
+void CommandFiles::check(const std::string& path) const {
     if (const auto* other = read_.find(path)) refuse_overwriting(path, other->name, "reads");
     if (const auto* other = written_.find_path(path))
         refuse_overwriting(path, other->name, "also writes");
-    written_.add(path);
 }
 
 void check_scene_name(const std::string& out) {
@@ -219,6 +224,12 @@ std::vector<std::string> files_of_mesh(const std::string& mesh_path, MeshFiles w
     } catch (const Error&) {
     }
     return files;
+}
+
+bool keeps_file_names(const std::string& mesh_path, const std::string& out_path) {
+    if (is_sample_mesh(mesh_path)) return false;
+    if (has_gltf_extension(mesh_path)) return lower_extension(out_path) == ".gltf";
+    return lower_extension(mesh_path) == ".obj" && is_obj(out_path);
 }
 
 std::vector<std::string> images_of_recipe(const std::string& path_or_preset, const Recipe& recipe) {

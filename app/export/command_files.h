@@ -57,6 +57,9 @@ class CommandFiles {
     /// another output.
     void write(const std::string& path, std::string_view extension = {});
 
+    /// Throws Error(io) where the file is an input or an output.
+    void check(const std::string& path) const;
+
   private:
     FileNames read_, written_;
     bool new_folders_ = false;
@@ -77,6 +80,10 @@ enum class MeshFiles {
 std::vector<std::string> files_of_mesh(const std::string& mesh_path,
                                        MeshFiles which = MeshFiles::named,
                                        NamedFiles named = NamedFiles::below);
+
+/// Whether an output that keeps the rest of the mesh's file may name the files that that names: the
+/// images of a glTF, in a .gltf, or the material libraries of an OBJ.
+bool keeps_file_names(const std::string& mesh_path, const std::string& out_path);
 
 /// The paths of the images of a recipe and its bumps, which are relative to the folder of its file;
 /// each once.

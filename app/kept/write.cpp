@@ -100,7 +100,11 @@ void tidy(KeptDocument& document) {
                              "EXT_texture_webp", "KHR_texture_basisu", "KHR_texture_transform"})
         if (!has_extension(document.json, name)) document.forget_extension(name);
     Json& extras = document.json["asset"]["extras"];
-    if (!extras.is_object()) extras = Json::object();
+    if (!extras.is_object()) {
+        if (!extras.is_null())
+            document.losses.emplace_back("asset.extras, which is no object that could hold Burl's");
+        extras = Json::object();
+    }
     extras["burl"] = document.bakes.size() == 1 ? document.bakes.front() : Json(document.bakes);
 }
 

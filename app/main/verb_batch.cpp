@@ -188,10 +188,11 @@ std::vector<BatchBake> check_manifest(const BatchCommand& command) {
             problems.add(error.code(), entry.where, error.what());
         }
     }
-    CommandFiles files = check_outputs(command, bakes, problems);
+    const auto files = std::make_shared<CommandFiles>(check_outputs(command, bakes, problems));
     problems.throw_if_any(entries.size());
     const std::string& report = command.run.report;
-    if (!report.empty() && report != "-") files.write(report);
+    if (!report.empty() && report != "-") files->write(report);
+    for (BatchBake& bake : bakes) bake.job.compare_with(files);
     return bakes;
 }
 

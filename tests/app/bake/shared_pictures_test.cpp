@@ -254,7 +254,8 @@ TEST(SharedLevels, MasksOfDifferentCutoffsAreRefused) {
     EXPECT_THROW(check_shared_levels(std::vector{mask, other}, "a.glb"), Error);
 }
 
-/// Whatever needs one recipe per atlas is refused before the mesh is read, with a way out.
+/// Whatever needs one recipe per atlas, or one atlas, is refused before the mesh is read, with a
+/// way out.
 TEST(SharedAtlas, WhatItCannotHaveIsRefusedByName) {
     const ScratchFolder folder;
     const std::string source = folder / "a.gltf";
@@ -276,8 +277,25 @@ TEST(SharedAtlas, WhatItCannotHaveIsRefusedByName) {
     };
     const auto has_a_way_out = testing::HasSubstr("--atlas-per recipe");
     EXPECT_THAT(refusal([](auto& command) { command.synth = "gl"; }), has_a_way_out);
-    EXPECT_THAT(refusal([](auto& command) { command.emitted_glsl = "a.glsl"; }), has_a_way_out);
-    EXPECT_THAT(refusal([](auto& command) { command.channels = {"ao"}; }), has_a_way_out);
+    EXPECT_EQ(refusal([](auto& command) { command.synth = "auto"; }), "");
+    const std::string shader = folder / "a.glsl", map = folder / "a.exr";
+    for (const std::string per : {"scene", "recipe", "mesh", "material"}) {
+        plain.atlas_per = per;
+        const auto says_how_many =
+            testing::HasSubstr(per == "scene" || per == "mesh" ? "2 recipes" : "2 atlases");
+        EXPECT_THAT(refusal([&](auto& command) { command.emitted_glsl = shader; }), says_how_many);
+        EXPECT_THAT(refusal([&](auto& command) { command.solid_map = map; }), says_how_many);
+        EXPECT_THAT(refusal([](auto& command) { command.channels = {"occlusion"}; }),
+                    says_how_many);
+    }
+    EXPECT_EQ(refusal([&](auto& command) {
+                  command.assigned.pop_back();
+                  command.meshes.read.choice.materials = {"Wood*"};
+                  command.emitted_glsl = shader;
+                  command.solid_map = map;
+                  command.channels = {"occlusion"};
+              }),
+              "");
 }
 
 }  // namespace

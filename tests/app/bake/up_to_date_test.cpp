@@ -9,6 +9,7 @@
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
 #include "tests/app/programs/run_program.h"
+#include "tests/app/support/kept_samples.h"
 
 namespace burl::test {
 namespace {
@@ -258,6 +259,38 @@ TEST_F(UpToDateBake, AFolderMayBeMovedAsAWhole) {
     EXPECT_TRUE(report.contains("up_to_date"));
     EXPECT_EQ(report["input"], "./square.obj");
     EXPECT_EQ(report["outputs"], nlohmann::json::array({"z/p.png", "z/p.1.png"}));
+}
+
+/// An OBJ that is carved in part names the libraries of its mesh, and a kept .gltf its images.
+TEST_F(UpToDateBake, FilesThatAnOutputNamesAreWhereItsMeshIs) {
+    const std::string obj =
+        "mtllib l.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n";
+    for (const char* folder : {"a", "b"}) {
+        fs::create_directory(scratch / folder);
+        scratch.write(fmt::format("{}/m.obj", folder), obj);
+        scratch.write(fmt::format("{}/l.mtl", folder), "newmtl a\nnewmtl b\n");
+    }
+    const auto bakes_from = [&](const std::string& source, const std::string& output,
+                                const char* options) {
+        mesh = scratch / source, out = scratch / output;
+        return bakes(options);
+    };
+    for (const char* output : {"all.obj", "a.png", "a.ply"}) {
+        EXPECT_TRUE(bakes_from("a/m.obj", output, ""));
+        EXPECT_FALSE(bakes_from("b/m.obj", output, "")) << output;
+    }
+    EXPECT_TRUE(bakes_from("a/m.obj", "part.obj", "--material a"));
+    EXPECT_FALSE(bakes_from("a/m.obj", "part.obj", "--material a"));
+    EXPECT_TRUE(bakes_from("b/m.obj", "part.obj", "--material a"));
+    EXPECT_NE(slurp(out).find("mtllib b/l.mtl\n"), std::string::npos);
+
+    scratch.write("a/s.gltf", kept_samples().at("neighbour"));
+    scratch.write("b/s.gltf", kept_samples().at("neighbour"));
+    EXPECT_TRUE(bakes_from("a/s.gltf", "s.glb", "--mesh bar"));
+    EXPECT_FALSE(bakes_from("b/s.gltf", "s.glb", "--mesh bar"));
+    EXPECT_TRUE(bakes_from("a/s.gltf", "a/t.gltf", "--mesh bar"));
+    EXPECT_FALSE(bakes_from("a/s.gltf", "a/t.gltf", "--mesh bar"));
+    EXPECT_TRUE(bakes_from("b/s.gltf", "a/t.gltf", "--mesh bar"));
 }
 
 TEST_F(UpToDateBake, TheRecordSaysWhatWentIn) {

@@ -19,14 +19,14 @@ class KeptImages : public testing::Test {
         fs::create_symlink("../red.png", scratch_ / "in/link.png");
         scratch_.write("in/sub/t.dds", "DDS |");
     }
-    /// Bakes the first mesh into out/x.gltf, where the image of the second is `uri`.
-    Outcome bake(const std::string& uri, const std::string& more) const {
+    /// Bakes the first mesh into `out`, where the image of the second is `uri`.
+    Outcome bake(const std::string& uri, const std::string& more,
+                 const char* out = "out/x.gltf") const {
         Json document = Json::parse(kept_samples().at("neighbour"));
         document["images"][1]["uri"] = uri;
         scratch_.write("in/a.gltf", document.dump());
-        return run_burl(scratch_,
-                        fmt::format("bake '{}' -o '{}' --mesh bar -s 32 --force {}",
-                                    scratch_ / "in/a.gltf", scratch_ / "out/x.gltf", more));
+        return run_burl(scratch_, fmt::format("bake '{}' -o '{}' --mesh bar -s 32 --force {}",
+                                              scratch_ / "in/a.gltf", scratch_ / out, more));
     }
     void expect_told(const std::string& uri, const std::string& reason) const {
         SCOPED_TRACE(uri);
@@ -53,6 +53,16 @@ TEST_F(KeptImages, OfFilesOutsideAreTold) {
 TEST_F(KeptImages, OfOtherFormatsAreTold) {
     expect_told("sub/t.dds", "is no PNG, JPEG, WebP or KTX2");
     expect_told("none.png", "is not there");
+}
+
+/// In the source's own folder every name leads where it led.
+TEST_F(KeptImages, BesideTheSourceKeepTheirNames) {
+    for (const char* uri : {"../red.png", "own.png", "sub/t.dds", "none.png"}) {
+        const Outcome baked = bake(uri, "--strict", "in/x.gltf");
+        EXPECT_EQ(baked.exit_code, 0) << uri << baked.err;
+        const Json made = Json::parse(slurp(scratch_ / "in/x.gltf"));
+        EXPECT_EQ(made["images"][0]["uri"], uri);
+    }
 }
 
 TEST_F(KeptImages, WithinGoWithTheDocument) {

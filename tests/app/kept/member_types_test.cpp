@@ -31,5 +31,24 @@ TEST(KeptMemberTypes, AreToldWithTheFileAndNothingIsWritten) {
     }
 }
 
+/// Extras may have any type, and Burl's are in an object.
+TEST(KeptMemberTypes, ExtrasThatHoldNoOthersAreTold) {
+    const test::Scratch scratch;
+    Json document = Json::parse(kept_samples().at("plain"));
+    document["asset"]["extras"] = "mine";
+    std::ofstream(scratch / "text.gltf") << document;
+    const auto bake = [&](const char* strict) {
+        return test::run_burl(scratch,
+                              fmt::format("bake '{}' -o '{}' --size 16 {}", scratch / "text.gltf",
+                                          scratch / "a.glb", strict));
+    };
+    const auto is_told = testing::HasSubstr("not kept: asset.extras");
+    const test::Outcome refused = bake("--strict"), baked = bake("");
+    EXPECT_EQ(refused.exit_code, 5);
+    EXPECT_THAT(refused.err, is_told);
+    EXPECT_EQ(baked.exit_code, 0);
+    EXPECT_THAT(baked.err, is_told);
+}
+
 }  // namespace
 }  // namespace burl

@@ -40,6 +40,21 @@ TEST_F(BakeSynth, AutoIsTheHostOnSoftwareOpenGl) {
     EXPECT_FALSE(nlohmann::json::parse(test::slurp(scratch / "a.json")).contains("synthesis"));
 }
 
+TEST_F(BakeSynth, AutoIsTheHostForAMaterialsPictures) {
+    const Outcome refused = bake("a.png", "-r oak --synth gl");
+    EXPECT_EQ(refused.exit_code, int(ExitCode::usage));
+    EXPECT_THAT(refused.err, HasSubstr("--synth gl: the recipe's material varies"));
+    for (const char* platform : {"osmesa", "egl"}) {
+        const std::string by_auto = std::string("-r oak --synth auto --force --gl ") + platform;
+        ASSERT_EQ(bake("a.png", by_auto).exit_code, 0) << platform;
+        ASSERT_EQ(bake("host.png", "-r oak").exit_code, 0);
+        for (const char* end : {".png", "_roughness.png"})
+            EXPECT_EQ(test::slurp(scratch / std::string("a") + end),
+                      test::slurp(scratch / std::string("host") + end))
+                << platform << end;
+    }
+}
+
 TEST_F(BakeSynth, OpenGlThatNobodyAskedForIsRefused) {
     for (const char* options : {"--gl osmesa", "--gl egl --synth host"}) {
         const Outcome refused = bake("a.png", options);

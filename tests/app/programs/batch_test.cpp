@@ -194,6 +194,29 @@ TEST_F(Batch, AKeyMayBeWrittenWithEscapes) {
     EXPECT_TRUE(list[0].where.ends_with("batch.json:2: bake 1 (b.png)")) << list[0].where;
 }
 
+/// Which tiles there are is known when the mesh has been read.
+TEST_F(Batch, ATileThatAnotherBakeWritesOrReadsFailsItsBakeAlone) {
+    scratch.write("tiles.obj",
+                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.1 0.1\nvt 0.9 0.1\nvt 0.1 0.9\n"
+                  "v 2 0 0\nv 3 0 0\nv 2 1 0\nvt 1.1 0.1\nvt 1.9 0.1\nvt 1.1 0.9\n"
+                  "f 1/1 2/2 3/3\nf 4/4 5/5 6/6\n");
+    const std::string manifest = R"({{"defaults": {{"size": 32}}, "bakes": [
+        {{"mesh": "tiles.obj", "output": "u.png", "atlas": "uv", "udim": true}},
+        {{"mesh": "square.obj", "output": "u.{}.png"}}]}})";
+    EXPECT_EQ(run(fmt::format(fmt::runtime(manifest), 1003)).exit_code, 0);
+    fs::remove(scratch / "u.1001.png");
+    const Outcome outcome = run(fmt::format(fmt::runtime(manifest), 1001));
+    EXPECT_EQ(outcome.exit_code, int(ExitCode::io)) << outcome.err;
+    EXPECT_NE(outcome.err.find("batch.json:2: bake 1 (u.png): "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("u.1001.png: this command also writes that file"), std::string::npos)
+        << outcome.err;
+    ASSERT_EQ(run_burl(scratch, fmt::format("bake '{}' --size 32 -o '{}'", scratch / "square.obj",
+                                            scratch / "single.png"))
+                  .exit_code,
+              0);
+    EXPECT_EQ(slurp(scratch / "u.1001.png"), slurp(scratch / "single.png"));
+}
+
 TEST_F(Batch, TheManifestAndWhatItsBakesReadStayAsTheyAre) {
     const auto refused = [&](const std::string& keys, const std::string& options) {
         const std::string manifest = fmt::format(

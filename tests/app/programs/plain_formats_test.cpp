@@ -224,6 +224,14 @@ TEST_F(PlainFormats, ColorsOfPointsSayWhatTheyLack) {
     }
 }
 
+TEST_F(PlainFormats, ColorsOfPointsHaveAShaderBesideThem) {
+    const std::string shader = scratch / "c.frag", textures = scratch / "t.frag";
+    bake("sample:cube", "c.ply", fmt::format("--vertex-colors -r wood --emit-glsl '{}'", shader));
+    bake("sample:cube", "t.ply", fmt::format("--size 16 -r wood --emit-glsl '{}'", textures));
+    EXPECT_FALSE(slurp(shader).empty());
+    EXPECT_EQ(slurp(shader), slurp(textures));
+}
+
 TEST_F(PlainFormats, OutputsAreKnownToBeUpToDate) {
     for (const char* options : {"--size 64", "--vertex-colors"}) {
         bake("sample:cube", "u.ply", options);

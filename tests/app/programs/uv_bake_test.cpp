@@ -85,6 +85,31 @@ TEST(UvBake, UdimTilesAreTheImagesOfTheirCharts) {
               std::string::npos);
 }
 
+TEST(UvBake, OverlapsAreToldOfAllTiles) {
+    const Scratch scratch;
+    const std::string apart =
+        scratch.write("a.obj", uv_squares({{0.1, 0.1, 0.8}, {1.25, 0.25, 0.5}, {1.25, 0.25, 0.5}}));
+    const std::string both = scratch.write(
+        "b.obj",
+        uv_squares({{0.25, 0.25, 0.5}, {0.25, 0.25, 0.5}, {1.25, 0.25, 0.5}, {1.25, 0.25, 0.5}}));
+    const auto bake = [&](const std::string& mesh) {
+        return run_burl(scratch, fmt::format("bake '{}' -o '{}' -s 64 {} --udim --json --force "
+                                             "--uv-overlap first",
+                                             mesh, scratch / "t.png", uv_marble));
+    };
+    for (const auto& [mesh, squares] : {std::pair(apart, 2), {both, 4}}) {
+        const int count = 2 * squares, texels = squares / 2 * (32 * 32 - 32);  // but the diagonal
+        const Outcome outcome = bake(mesh);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find(fmt::format("{} triangles share {} texels", count, texels)),
+                  std::string::npos)
+            << outcome.err;
+        const auto atlas = nlohmann::json::parse(outcome.out)["atlas"];
+        EXPECT_EQ(atlas["overlapping_triangles"], count);
+        EXPECT_EQ(atlas["overlapped_texels"], texels);
+    }
+}
+
 TEST(UvBake, NothingIsWrittenWhereATileIsRefused) {
     const Scratch scratch;
     const std::string mesh =
