@@ -273,7 +273,7 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     BakePlan plan = plan_;
     plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
     if (is_obj(command_.out) && !command_.displace)
-        plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
+        plan.obj = kept_obj(command_.mesh, pipeline.mesh(), command_.meshes.frame);
     if (command_.udim) {
         plan = plan_of_tiles(pipeline, plan, recipes[0]);
         check_files(plan.paths);

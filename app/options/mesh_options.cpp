@@ -135,11 +135,11 @@ Mesh MeshOptions::load(const std::string& path) const {
         mesh = of_materials(path, mesh, read.choice.materials);
     for (const std::string& sentence : sentences_of(mesh.notes))
         warn(fmt::format("{}: {}", path, sentence));
-    return framed(std::move(mesh), frame_transform(frame));
+    return framed(std::move(mesh), frame);
 }
 
 MeshPose MeshOptions::pose(const std::string& mesh, const std::string& pose) const {
-    return framed(load_pose(mesh, pose, read), frame_transform(frame));
+    return framed(load_pose(mesh, pose, read), frame);
 }
 
 }  // namespace burl

@@ -120,7 +120,7 @@ void bake_plan(const ExportRequest& request, PlannedExport planned, const std::s
         plan.kept = kept_scene(request.mesh);
         prepare(*plan.kept, request.mesh, {}, request.out);
     }
-    if (is_obj(request.out)) plan.obj = kept_obj(request.mesh, pipeline.mesh(), Mat4d(1.0));
+    if (is_obj(request.out)) plan.obj = kept_obj(request.mesh, pipeline.mesh(), {});
     bake(pipeline, plan, pose ? &*pose : nullptr);
 }
 
