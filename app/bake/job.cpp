@@ -187,6 +187,7 @@ void BakeJob::check() const {
     check_displacement();
     check_coding();
     check_strips();
+    check_bare_surface();
     check_uvs(command_, recipe(), plan_, kept_document());
     if (command_.vertex_colors) check_vertex_colors(command_.out, command_.recipe);
     if (!command_.pose.empty() && command_.meshes.read.choice.any())

@@ -91,6 +91,7 @@ class BakeJob {
     void check_displacement() const;
     void check_coding() const;
     void check_strips() const;
+    void check_bare_surface() const;
     void warn_of_depth() const;
     void warn_of_strips(const StripCounts& counts) const;
     void check_idle() const;
