@@ -306,7 +306,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
         warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
                          unheld));
     warn_of_depth();
-    const std::vector<std::string> flat = losses_before();
+    const std::vector<std::string> flat = losses_before(pipeline.mesh());
     const std::shared_ptr<KeptScene> kept = kept_scene();
     if (kept) kept->is_last = others_.empty();
     BakeResult result = bake_into(pipeline, synthesizer, kept, later);
