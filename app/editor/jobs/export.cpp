@@ -163,8 +163,9 @@ void bake_file(const ExportRequest& request, const std::stop_token& stop, Course
 
 void bake_frames(const ExportRequest& request, const std::stop_token& stop, Course* told) {
     if (holds_mesh(request.out) || is_shader_file(request.out))
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: frames are textures alone, .png or .exr", request.out));
+        throw Error(
+            ExitCode::usage,
+            fmt::format("{}: frames are textures alone, such as .png or .exr", request.out));
     check_outputs(request);
     constexpr std::size_t cache = std::size_t(512) << 20;
     const KeyedAnimation& animation = request.recipe.animation;
