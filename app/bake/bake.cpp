@@ -39,7 +39,6 @@ void tell(const BakePlan& plan, const Mesh& mesh, const std::string& what) {
 /// may not hold the mesh at all; then the error alone is told.
 void tell_shortage(const BakePlan& plan, const Mesh& mesh, const AtlasOptions& atlas,
                    const MeshAtlas* made) {
-    if (atlas.columns() != atlas.rows()) return;
     if (is_strips(atlas.kind) == (made != nullptr))
         tell(plan, mesh, shortage(capacity(mesh.triangles.size(), atlas)));
 }

@@ -99,13 +99,38 @@ std::vector<AtlasShares> atlases_of(const BakeCommand& command,
     return atlases;
 }
 
-/// The recipe number `recipe` of the command: --set changes that of --recipe alone.
+/// Whether an edit by --set is of the atlas, which all recipes share.
+bool is_of_atlas(const std::string& setting) {
+    return setting.starts_with("atlas.");
+}
+
+/// Throws Error(usage) where what only --recipe heeds is given and no material has its recipe.
+void check_recipe_used(const BakeCommand& command, const std::vector<AtlasShares>& atlases) {
+    const auto has_recipe = [](const AtlasShares& atlas) { return atlas.primitives.contains(-1); };
+    if (std::ranges::any_of(atlases, has_recipe)) return;
+    const std::vector<std::string>& settings = command.recipe.settings;
+    const auto idle = std::ranges::find_if_not(settings, is_of_atlas);
+    if (idle != settings.end())
+        throw Error(ExitCode::usage,
+                    fmt::format("--set {} changes the recipe of --recipe alone, and every material "
+                                "that is carved has that of an --assign; write it into the "
+                                "recipe's file",
+                                *idle));
+    if (command.recipe_given)
+        throw Error(ExitCode::usage,
+                    fmt::format("--recipe {} does nothing: every material has the recipe of an "
+                                "--assign; leave it out",
+                                command.recipe.recipe));
+}
+
+/// The recipe number `recipe` of the command: --set changes that of --recipe alone, but for the
+/// atlas's numbers.
 RecipeOptions recipe_options(const BakeCommand& command, const std::vector<Assignment>& assigned,
                              int recipe) {
     RecipeOptions options = command.recipe;
     if (recipe < 0) return options;
     options.recipe = assigned[std::size_t(recipe)].recipe;
-    options.settings.clear();
+    std::erase_if(options.settings, [](const std::string& one) { return !is_of_atlas(one); });
     return options;
 }
 
@@ -169,6 +194,7 @@ std::vector<BakeGroup> groups_of(const BakeCommand& command) {
     const std::vector<AtlasShares> atlases = atlases_of(command, assigned);
     if (atlases.empty())
         throw Error(ExitCode::usage, fmt::format("{}: nothing is left to carve", command.mesh));
+    if (!assigned.empty()) check_recipe_used(command, atlases);
     std::vector<BakeGroup> groups;
     std::set<std::string> taken;
     for (const AtlasShares& atlas : atlases) {

@@ -187,6 +187,7 @@ void BakeJob::check() const {
     check_displacement();
     check_coding();
     check_strips();
+    check_bare_surface();
     check_uvs(command_, recipe(), plan_, kept_document());
     if (command_.vertex_colors) check_vertex_colors(command_.out, command_.recipe);
     if (!command_.pose.empty() && command_.meshes.read.choice.any())
@@ -274,7 +275,7 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
     BakePlan plan = plan_;
     plan.recipe = [&recipes](std::size_t number) { return recipes[number]; };
     if (is_obj(command_.out) && !command_.displace)
-        plan.obj = kept_obj(command_.mesh, pipeline.mesh(), frame_transform(command_.meshes.frame));
+        plan.obj = kept_obj(command_.mesh, pipeline.mesh(), command_.meshes.frame);
     if (command_.udim) {
         plan = plan_of_tiles(pipeline, plan, recipes[0]);
         check_files(plan.paths);
@@ -307,7 +308,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
         warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
                          unheld));
     warn_of_depth();
-    const std::vector<std::string> flat = losses_before();
+    const std::vector<std::string> flat = losses_before(pipeline.mesh());
     const std::shared_ptr<KeptScene> kept = kept_scene();
     if (kept) kept->is_last = others_.empty();
     BakeResult result = bake_into(pipeline, synthesizer, kept, later);

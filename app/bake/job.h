@@ -84,7 +84,7 @@ class BakeJob {
     std::vector<std::string> recipe_losses() const;
     bool kept_document() const;
     KeyTrack pose_keys() const;
-    std::vector<std::string> losses_before() const;
+    std::vector<std::string> losses_before(const Mesh& mesh) const;
     std::vector<std::string> paths_of(const std::string& out, std::uint32_t levels) const;
     std::vector<std::string> document_outputs(std::uint32_t levels) const;
     Json report_of(Pipeline& pipeline, const Recipe& recipe, const BakeResult& result,
@@ -101,6 +101,7 @@ class BakeJob {
     void check_displacement() const;
     void check_coding() const;
     void check_strips() const;
+    void check_bare_surface() const;
     void warn_of_depth() const;
     void warn_of_strips(const StripCounts& counts) const;
     void check_idle() const;

@@ -3,7 +3,9 @@
 #include "app/bake/job.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -45,6 +47,38 @@ void BakeJob::check_strips() const {
                     fmt::format("{}: --strips: only .glb, .gltf and .ply hold triangle strips; "
                                 "write one of these, or leave it out",
                                 command_.out));
+}
+
+/// Throws Error(usage) for options of pictures, and of a recipe that moves nothing, where the
+/// output is the surface alone.
+void BakeJob::check_bare_surface() const {
+    const BakeCommand& c = command_;
+    const bool beside = !c.channels.empty() || !c.solid_map.empty() || !c.emitted_glsl.empty();
+    if (!holds_mesh(c.out) || holds_colors(c.out) || beside) return;
+    const auto refuse = [&](const std::string& option, const char* why) {
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: {} does nothing: {}; leave it out", c.out, option, why));
+    };
+    const std::array<std::pair<bool, const char*>, 8> of_pictures{{
+        {!c.levels.empty(), "--levels"},
+        {c.compress.has_value(), "--compress"},
+        {c.recipe.filter.has_value(), "--filter"},
+        {c.recipe.precision.has_value(), "--precision"},
+        {c.kernel != "auto", "--kernel"},
+        {c.synth != "host", "--synth"},
+        {c.depth.has_value(), "--depth"},
+        {!c.packing.empty(), "--pack"},
+    }};
+    for (const auto& [given, option] : of_pictures)
+        if (given) refuse(option, "an .stl has no pictures");
+    // A patch atlas cuts triangles.
+    if (c.displace || recipe().atlas.kind == AtlasKind::patch) return;
+    constexpr const char* why = "an .stl holds the surface alone, and there is no --displace";
+    if (c.recipe_given && c.pose.empty()) refuse("--recipe", why);
+    for (const RecipeEdit& edit : c.recipe.edits())
+        if (edit.said.starts_with("--set") && !edit.path.starts_with("atlas.") &&
+            !edit.path.starts_with("pose."))
+            refuse(edit.said, why);
 }
 
 /// Throws Error(usage) where the pictures cannot have what else is asked for.

@@ -14,6 +14,7 @@
 #include "app/image/picture_coding.h"
 #include "app/recipe/material.h"
 #include "app/recipe/recipe.h"
+#include "app/surface/mesh_frame.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/mesh/triangle_strips.h"
 #include "atlas/read/obj_source.h"
@@ -53,14 +54,14 @@ struct ExportPose {
 /// An OBJ of which a scene's .obj keeps what is not changed.
 struct KeptObj {
     ObjSource source{};
-    Mat4d frame{1.0};                     ///< the map from its coordinates to the mesh's
+    MeshFrame frame{};                    ///< leads from its coordinates to the mesh's
     std::vector<std::uint32_t> points{};  ///< points_of_corners()
 };
 
 /// The OBJ, a file or a sample, that the mesh was read from and moved by `frame`; null where the
 /// path is no OBJ's. Throws Error as read_mesh does, and runtime where the file has changed since.
 std::shared_ptr<const KeptObj> kept_obj(const std::string& path, const Mesh& mesh,
-                                        const Mat4d& frame);
+                                        const MeshFrame& frame);
 
 /// The material of one of the recipes that share an atlas.
 struct ExportShare {

@@ -112,8 +112,9 @@ void ObjRewriter::find_triangles() {
 
 // A point of the file is one point of every pose, so any corner at it tells where it is.
 void ObjRewriter::place_points() {
-    for (const Vec3d& p : source_.faces.points)
-        places_.push_back(kept_.frame == Mat4d(1.0) ? p : Vec3d(kept_.frame * Vec4d(p, 1.0)));
+    const bool stays = frame_transform(kept_.frame) == Mat4d(1.0);
+    const FramePoints framed_point(kept_.frame);
+    for (const Vec3d& p : source_.faces.points) places_.push_back(stays ? p : framed_point(p));
     for (std::uint32_t face = 0; face + 1 < first_.size(); ++face)
         for (std::uint32_t t = first_[face]; t < first_[face + 1]; ++t)
             for (std::size_t k = 0; k < 3; ++k) {
@@ -310,8 +311,9 @@ void ObjRewriter::print_points(ObjText& text) const {
 }
 
 void ObjRewriter::print_normals(ObjText& text) const {
-    const bool turned = kept_.frame != Mat4d(1.0);
-    const NormalTransform turn(kept_.frame);
+    const Mat4d frame = frame_transform(kept_.frame);
+    const bool turned = frame != Mat4d(1.0);
+    const NormalTransform turn(frame);
     for (std::size_t i = 0; keeps_normals_ && i < source_.normals.size(); ++i) {
         if (turned)
             print_normal(text, turn(source_.faces.normals.values[i]));
@@ -352,7 +354,7 @@ ObjText kept_obj_text(const SceneContent& content, const Mesh& shown,
 }
 
 std::shared_ptr<const KeptObj> kept_obj(const std::string& path, const Mesh& mesh,
-                                        const Mat4d& frame) {
+                                        const MeshFrame& frame) {
     if (!is_sample_mesh(path) && lower_extension(path) != ".obj") return nullptr;
     auto kept = std::make_shared<KeptObj>();
     kept->source = read_obj_source(mesh_bytes(path));

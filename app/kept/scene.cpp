@@ -97,6 +97,10 @@ bool keeps_document(const std::string& mesh_path, const std::string& out_path) {
            is_gltf(out_path);
 }
 
+bool keeps_lines(const std::string& mesh_path, const std::string& out_path) {
+    return is_obj(out_path) && (is_sample_mesh(mesh_path) || lower_extension(mesh_path) == ".obj");
+}
+
 std::shared_ptr<KeptScene> kept_scene(const std::string& mesh_path, NamedFiles named) {
     return with_types_of_gltf(
         mesh_path, [&] { return std::make_shared<KeptScene>(read_file(mesh_path, named)); });
@@ -128,7 +132,7 @@ std::vector<AtomicFile> files_of(KeptScene& scene, const SceneContent& content,
     return std::move(scene.pending);
 }
 
-std::vector<std::string> losses_of(const std::string& mesh_path) {
+std::vector<std::string> losses_of_document(const std::string& mesh_path) {
     std::vector<std::string> losses;
     const FileBuffer file = read_file(mesh_path);
     const Json document = Json::parse(split_gltf(file).json);
@@ -144,6 +148,23 @@ std::vector<std::string> losses_of(const std::string& mesh_path) {
     return losses;
 }
 
+/// Losses of a mesh whose file is no glTF.
+std::vector<std::string> losses_of_plain(const Mesh& mesh, const std::string& out_path,
+                                         bool keeps_uvs) {
+    std::vector<std::string> losses;
+    const auto add = [&](std::uint64_t count, const char* one) {
+        if (count > 0) losses.push_back(fmt::format("{} {}{}", count, one, count > 1 ? "s" : ""));
+    };
+    add(mesh.notes.materials, "material");
+    add(mesh.notes.groups, "group");
+    if (mesh.parts.size() > 1 && !is_gltf(out_path) && !is_obj(out_path))
+        add(mesh.parts.size(), "object");
+    if (mesh.notes.ignored_elements > 0) losses.emplace_back("elements other than faces");
+    if (!mesh.corners.uvs.empty() && !keeps_uvs) losses.emplace_back("texture coordinates");
+    if (!mesh.corners.colors.empty()) losses.emplace_back("colours of points");
+    return losses;
+}
+
 }  // namespace
 
 std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content,
@@ -152,9 +173,18 @@ std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content
                               [&] { return files_of(scene, content, corners); });
 }
 
-std::vector<std::string> losses_of_flat(const std::string& mesh_path) {
-    if (is_sample_mesh(mesh_path) || !has_gltf_extension(mesh_path)) return {};
-    return with_types_of_gltf(mesh_path, [&] { return losses_of(mesh_path); });
+std::vector<std::string> losses_of_flat(const std::string& mesh_path, const Mesh& mesh,
+                                        const std::string& out_path, bool keeps_uvs) {
+    std::vector<std::string> losses;
+    if (const auto count = mesh.notes.unchosen_triangles; count > 0)
+        losses.push_back(fmt::format("{} triangles that are not chosen", count));
+    if (is_sample_mesh(mesh_path)) return losses;
+    std::ranges::move(
+        has_gltf_extension(mesh_path)
+            ? with_types_of_gltf(mesh_path, [&] { return losses_of_document(mesh_path); })
+            : losses_of_plain(mesh, out_path, keeps_uvs),
+        std::back_inserter(losses));
+    return losses;
 }
 
 std::string losses_sentence(const std::vector<std::string>& losses) {

@@ -45,9 +45,15 @@ void prepare(KeptScene& scene, const std::string& mesh_path, const ReadOptions& 
 std::vector<AtomicFile> kept_files(KeptScene& scene, const SceneContent& content,
                                    std::span<const CornerOrigin> corners);
 
-/// Names of all in a glTF's document that an output with the mesh alone does not hold; empty where
-/// there is nothing, and for a mesh of another format.
-std::vector<std::string> losses_of_flat(const std::string& mesh_path);
+/// Whether a bake of the mesh file, or sample, to the output keeps the mesh's own lines: both are
+/// OBJ.
+bool keeps_lines(const std::string& mesh_path, const std::string& out_path);
+
+/// Names of all in the file of the mesh that an output with the mesh alone does not hold; of a
+/// sample, the triangles that are not chosen. `keeps_uvs` says whether the output has the file's
+/// texture coordinates, where that is no glTF.
+std::vector<std::string> losses_of_flat(const std::string& mesh_path, const Mesh& mesh,
+                                        const std::string& out_path, bool keeps_uvs);
 
 /// One sentence that names losses.
 std::string losses_sentence(const std::vector<std::string>& losses);

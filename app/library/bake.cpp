@@ -158,9 +158,7 @@ class Baking {
         const AtlasOptions& asked = pipeline_.recipe().atlas;
         for (const std::string& note :
              {pipeline_.atlas().notes.fallback,
-              asked.columns() == asked.rows()
-                  ? shortage(capacity(pipeline_.mesh().triangles.size(), asked))
-                  : std::string()})
+              shortage(capacity(pipeline_.mesh().triangles.size(), asked))})
             if (!note.empty()) result_.notes.push_back(note);
         for (std::string& note : uv_losses(pipeline_.mesh(), pipeline_.atlas().notes))
             result_.notes.push_back(std::move(note));

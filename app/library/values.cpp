@@ -100,9 +100,8 @@ burl::Mesh read(const std::string& path, const MeshReading& reading, const std::
     MeshFrame frame;
     frame.up = reading.up;
     frame.scale = reading.scale;
-    const Mat4d turned = frame_transform(frame);
     return framed(
-        is_sample_mesh(path) ? sample_mesh(path, options) : read_mesh(path, options, stop), turned);
+        is_sample_mesh(path) ? sample_mesh(path, options) : read_mesh(path, options, stop), frame);
 }
 
 std::shared_ptr<const Recipe::State> state_of(const RecipeText& text) {

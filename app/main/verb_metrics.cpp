@@ -17,6 +17,7 @@
 #include "app/options/metres.h"
 #include "app/pipeline/tasks.h"
 #include "app/recipe/parameters.h"
+#include "app/recipe/presets.h"
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
 
@@ -31,6 +32,7 @@ struct MetricsCommand {
     MeshOptions meshes;
     std::string image;  // prefix of pictures; empty: none
     std::optional<std::string> view;
+    bool recipe_given = false;
     bool uv = false, levels = false, json = false;
     std::string progress = "auto";
 };
@@ -92,6 +94,18 @@ void check_recipe(const MetricsCommand& command, const RecipeOptions& options,
     if (command.recipe.given("atlas.kind") != "all") check_edits(options, recipe);
 }
 
+/// Throws Error(usage) for one of Burl's own recipes, which all have the usual atlas, where its
+/// texture is not looked up.
+void check_recipe_used(const MetricsCommand& command) {
+    const std::string& recipe = command.recipe.recipe;
+    if (!command.recipe_given || command.levels || !command.image.empty() || !names_preset(recipe))
+        return;
+    throw Error(ExitCode::usage,
+                fmt::format("--recipe {} does nothing: metrics looks up no texture; add --levels "
+                            "or --image, or leave it out",
+                            recipe));
+}
+
 /// Throws Error(usage) for options of Burl's atlases where only the file's own texture coordinates
 /// are measured.
 void check_uv_options(const MetricsCommand& command) {
@@ -131,6 +145,7 @@ void run_metrics(const MetricsCommand& command) {
     progress.begin_item("", 0, 1, tasks::read);
     Recipe recipe = options.load();
     check_recipe(command, options, recipe);
+    check_recipe_used(command);
     check_square(recipe.atlas);
     Mesh mesh = load_measured(command);
     set_metres({&recipe, 1}, options, command.meshes.frame, mesh);
@@ -202,9 +217,9 @@ void add_metrics(CLI::App& program) {
                             fmt::format("{} is about lookups; add --levels or --image, or leave it "
                                         "out",
                                         option));
+        command->recipe_given = verb->get_option("--recipe")->count() > 0;
         if (texture->count() == 0)
-            command->texture =
-                verb->get_option("--recipe")->count() > 0 ? "recipe" : metric_marble_name;
+            command->texture = command->recipe_given ? "recipe" : metric_marble_name;
         run_metrics(*command);
     });
 }

@@ -87,11 +87,14 @@ struct MeshOptions {
     void add_choice(CLI::App& verb);
     /// Adds --up, --rotate, --scale and --units alone.
     void add_frame(CLI::App& verb);
+    /// Throws Error(usage) for options that the format of the mesh file or sample has no use for:
+    /// --unshare-instances and a further set of texture coordinates of what is no glTF, and a
+    /// choice by names that the format does not have.
+    void check(const std::string& path) const;
     /// Reads the mesh file or sample ("sample:teapot"), turns and scales it by the frame, and
-    /// prints the reader's notes on stderr. Throws Error as read_mesh does, and usage for
-    /// --unshare-instances of a mesh that is not glTF, for a choice of a format that has no such
-    /// names, for a pattern that fits no name of the file, and for a set of texture coordinates
-    /// that it does not have.
+    /// prints the reader's notes on stderr. Throws Error as read_mesh and check() do, and usage for
+    /// a pattern that fits no name of the file, and for a set of texture coordinates that it does
+    /// not have.
     Mesh load(const std::string& path) const;
     /// The pose of the mesh that load() gives (app/surface/sample_meshes.h), in its frame.
     MeshPose pose(const std::string& mesh, const std::string& pose) const;

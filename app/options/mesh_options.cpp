@@ -112,7 +112,7 @@ void MeshOptions::add_choice(CLI::App& verb) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-Mesh MeshOptions::load(const std::string& path) const {
+void MeshOptions::check(const std::string& path) const {
     check_choice(read.choice, path);
     if (read.unshare_instances && (is_sample_mesh(path) || !has_gltf_extension(path)))
         throw Error(ExitCode::usage,
@@ -124,6 +124,10 @@ Mesh MeshOptions::load(const std::string& path) const {
                     fmt::format("--uv-set: {} is no glTF and has one set of texture coordinates at "
                                 "most; leave it out",
                                 path));
+}
+
+Mesh MeshOptions::load(const std::string& path) const {
+    check(path);
     Mesh mesh = is_sample_mesh(path) ? sample_mesh(path, read) : read_mesh(path, read);
     if (read.uv_set > 0 && mesh.corners.uvs.empty())
         throw Error(ExitCode::usage,
@@ -135,11 +139,11 @@ Mesh MeshOptions::load(const std::string& path) const {
         mesh = of_materials(path, mesh, read.choice.materials);
     for (const std::string& sentence : sentences_of(mesh.notes))
         warn(fmt::format("{}: {}", path, sentence));
-    return framed(std::move(mesh), frame_transform(frame));
+    return framed(std::move(mesh), frame);
 }
 
 MeshPose MeshOptions::pose(const std::string& mesh, const std::string& pose) const {
-    return framed(load_pose(mesh, pose, read), frame_transform(frame));
+    return framed(load_pose(mesh, pose, read), frame);
 }
 
 }  // namespace burl

@@ -29,8 +29,14 @@ Mat3d exact_rotation(const Vec3d& degrees) {
     return rotation;
 }
 
-double metres(LengthUnit unit) {
-    return unit == LengthUnit::mm ? 0.001 : unit == LengthUnit::cm ? 0.01 : 1.0;
+double units_of_a_metre(const MeshFrame& frame) {
+    const LengthUnit unit = frame.units.value_or(LengthUnit::m);
+    return unit == LengthUnit::mm ? 1000.0 : unit == LengthUnit::cm ? 100.0 : 1.0;
+}
+
+/// The frame's rotation times its scale.
+Mat3d turned_and_scaled(const MeshFrame& frame) {
+    return frame.scale * (exact_rotation(frame.rotate) * Mat3d(upright(frame.up)));
 }
 
 void turn_normals(std::vector<Vec3f>& normals, const Mat3d& map) {
@@ -38,9 +44,10 @@ void turn_normals(std::vector<Vec3f>& normals, const Mat3d& map) {
     for (Vec3f& normal : normals) normal = Vec3f(map * Vec3d(normal) / factor);
 }
 
-void frame_points(std::vector<Vec3d>& points, const Mat3d& map, const std::string& name) {
+void frame_points(std::vector<Vec3d>& points, const MeshFrame& frame, const std::string& name) {
+    const FramePoints framed_point(frame);
     for (Vec3d& p : points) {
-        p = map * p + 0.0;
+        p = framed_point(p);
         if (glm::any(glm::greaterThan(glm::abs(p), Vec3d(largest_coordinate))))
             throw invalid_file(name, 0,
                                fmt::format("a coordinate is beyond {:g} once the mesh is scaled",
@@ -63,27 +70,29 @@ Mat4d upright(std::string_view axis) {
 }
 
 Mat4d frame_transform(const MeshFrame& frame) {
-    const double factor = frame.scale * (frame.units ? metres(*frame.units) : 1.0);
-    const Mat3d rotation = exact_rotation(frame.rotate) * Mat3d(upright(frame.up));
-    return Mat4d(factor * rotation);
+    return Mat4d(turned_and_scaled(frame) / units_of_a_metre(frame));
 }
 
-Mesh framed(Mesh mesh, const Mat4d& frame) {
-    if (frame == Mat4d(1.0)) return mesh;
-    const Mat3d map(frame);
-    frame_points(mesh.positions, map, mesh.name);
-    turn_normals(mesh.corners.normals, map);
-    const Mat4d back = glm::inverse(frame);
+FramePoints::FramePoints(const MeshFrame& frame)
+    : map_(turned_and_scaled(frame)), divisor_(units_of_a_metre(frame)) {}
+
+Mesh framed(Mesh mesh, const MeshFrame& frame) {
+    const Mat4d map = frame_transform(frame);
+    if (map == Mat4d(1.0)) return mesh;
+    frame_points(mesh.positions, frame, mesh.name);
+    turn_normals(mesh.corners.normals, Mat3d(map));
+    const Mat4d back = glm::inverse(map);
     for (Part& part : mesh.parts)
         for (std::size_t i = 1; i < part.instances.size(); ++i)
-            part.instances[i] = frame * part.instances[i] * back;
+            part.instances[i] = map * part.instances[i] * back;
     return mesh;
 }
 
-MeshPose framed(MeshPose pose, const Mat4d& frame) {
-    if (frame == Mat4d(1.0)) return pose;
-    frame_points(pose.positions, Mat3d(frame), pose.name);
-    turn_normals(pose.normals, Mat3d(frame));
+MeshPose framed(MeshPose pose, const MeshFrame& frame) {
+    const Mat4d map = frame_transform(frame);
+    if (map == Mat4d(1.0)) return pose;
+    frame_points(pose.positions, frame, pose.name);
+    turn_normals(pose.normals, Mat3d(map));
     return pose;
 }
 

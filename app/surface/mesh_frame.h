@@ -43,12 +43,24 @@ Mat4d upright(std::string_view axis);
 /// Error(usage) for an axis that is not one of up_axes.
 Mat4d frame_transform(const MeshFrame& frame);
 
-/// The mesh in the frame that `frame`, a rotation times one factor, leads to: its points, its
-/// normals and its placements. The identity changes no bit. Throws Error(invalid_file) where a
-/// point leaves the range of meshes, 1e100.
-Mesh framed(Mesh mesh, const Mat4d& frame);
+/// frame_transform() of points. Those of files in mm and cm are divided, so that 9 mm are the
+/// double that 0.009 m is.
+class FramePoints {
+  public:
+    explicit FramePoints(const MeshFrame& frame);
+    Vec3d operator()(const Vec3d& point) const { return map_ * point / divisor_ + 0.0; }
+
+  private:
+    Mat3d map_;
+    double divisor_;
+};
+
+/// The mesh in the frame: its points, its normals and its placements. A frame whose transform is
+/// the identity changes no bit. Throws Error(invalid_file) where a point leaves the range of
+/// meshes, 1e100.
+Mesh framed(Mesh mesh, const MeshFrame& frame);
 
 /// The pose of a mesh that is framed alike.
-MeshPose framed(MeshPose pose, const Mat4d& frame);
+MeshPose framed(MeshPose pose, const MeshFrame& frame);
 
 }  // namespace burl

@@ -18,13 +18,12 @@ namespace {
 
 constexpr std::string_view prefix = "sample:", extension = ".obj";
 
-/// The OBJ file of "sample:NAME". Throws Error(usage) listing the samples where there is none of
-/// that name.
-FileBuffer sample_file(const std::string& argument) {
+/// The OBJ of "sample:NAME". Throws Error(usage) listing the samples where there is none of that
+/// name.
+const EmbeddedFile& embedded_sample(const std::string& argument) {
     const std::string file_name = argument.substr(prefix.size()) + std::string(extension);
-    for (const EmbeddedFile& file : embedded_meshes()) {
-        if (file.name == file_name) return buffer_from(file.content, file_name);
-    }
+    for (const EmbeddedFile& file : embedded_meshes())
+        if (file.name == file_name) return file;
     const std::vector<std::string> names = sample_mesh_names();
     const std::vector<std::string_view> words(names.begin(), names.end());
     const std::string_view nearest = nearest_word(argument.substr(prefix.size()), words);
@@ -32,6 +31,11 @@ FileBuffer sample_file(const std::string& argument) {
         nearest.empty() ? "" : fmt::format("did you mean \"{}{}\"? ", prefix, nearest);
     throw Error(ExitCode::usage, fmt::format("there is no mesh \"{}\"; {}the samples are {}",
                                              argument, hint, fmt::join(names, ", ")));
+}
+
+FileBuffer sample_file(const std::string& argument) {
+    const EmbeddedFile& file = embedded_sample(argument);
+    return buffer_from(file.content, std::string(file.name));
 }
 
 }  // namespace
@@ -43,6 +47,13 @@ bool is_sample_mesh(const std::string& argument) {
 Mesh sample_mesh(const std::string& argument, const ReadOptions& options) {
     const FileBuffer file = sample_file(argument);
     return build_mesh(parse_mesh(file, options), file.path, options);
+}
+
+void check_mesh_argument(const std::string& argument) {
+    if (is_sample_mesh(argument))
+        embedded_sample(argument);
+    else
+        check_mesh_file(argument);
 }
 
 FileBuffer mesh_bytes(const std::string& path, NamedFiles named) {

@@ -18,6 +18,9 @@ bool is_sample_mesh(const std::string& argument);
 /// name.
 Mesh sample_mesh(const std::string& argument, const ReadOptions& options = {});
 
+/// Throws Error as check_mesh_file() does for a file, and usage for a sample that there is not.
+void check_mesh_argument(const std::string& argument);
+
 /// The bytes of a mesh file, or of the OBJ of a sample. Throws Error as read_file and sample_mesh
 /// do.
 FileBuffer mesh_bytes(const std::string& path, NamedFiles named = NamedFiles::below);

@@ -25,10 +25,11 @@ std::uint32_t size_for(double texels, AtlasKind kind) {
 Capacity capacity(std::uint64_t triangles, const AtlasOptions& options) {
     Capacity result;
     result.triangles = triangles;
-    result.size = options.size;
+    result.columns = options.columns();
+    result.rows = options.rows();
     const double count = double(triangles);
     result.texels_per_triangle =
-        triangles > 0 ? double(options.size) * options.size / count : good_texels_per_triangle;
+        triangles > 0 ? double(result.columns) * result.rows / count : good_texels_per_triangle;
     result.good_size = size_for(good_texels_per_triangle * count, options.kind);
     result.least_size = size_for(poor_texels_per_triangle * count, options.kind);
     const std::uint32_t holding = smallest_size(triangles, options);
@@ -38,8 +39,8 @@ Capacity capacity(std::uint64_t triangles, const AtlasOptions& options) {
 
 std::string shortage(const Capacity& c) {
     if (c.suffices()) return "";
-    const std::string found =
-        fmt::format("{:.3g} texels per triangle at {} x {}", c.texels_per_triangle, c.size, c.size);
+    const std::string found = fmt::format("{:.3g} texels per triangle at {} x {}",
+                                          c.texels_per_triangle, c.columns, c.rows);
     const std::string good =
         c.good_size > 0
             ? fmt::format("--size {} gives {:.0f}", c.good_size, good_texels_per_triangle)

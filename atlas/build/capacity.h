@@ -15,13 +15,14 @@ inline constexpr double good_texels_per_triangle = 25.0, poor_texels_per_triangl
 /// Texels per shell (connected component) below which gutters leave a patch too few inner texels.
 inline constexpr double least_texels_per_shell = 256.0;
 
-/// Figures of how well a texture of `size` x `size` texels holds a mesh of `triangles` triangles.
+/// Figures of how well a texture of `columns` x `rows` texels holds a mesh of `triangles`
+/// triangles.
 struct Capacity {
     std::uint64_t triangles = 0;
-    std::uint32_t size = 0;
-    double texels_per_triangle = 0.0;  ///< T = size^2 / triangles
-    /// Smallest sizes with T >= good and T >= poor, respectively (powers of two for quad); 0 where
-    /// no texture is large enough.
+    std::uint32_t columns = 0, rows = 0;
+    double texels_per_triangle = 0.0;  ///< T = columns * rows / triangles
+    /// Smallest sides of square textures with T >= good and T >= poor, respectively (powers of two
+    /// for quad); 0 where no texture is large enough.
     std::uint32_t good_size = 0, least_size = 0;
     /// Smallest size at which no two triangles have to share a texel; 0 where no texture is large
     /// enough.
@@ -31,7 +32,7 @@ struct Capacity {
     bool vertex_colours_better() const { return texels_per_triangle < poor_texels_per_triangle; }
 };
 
-/// The capacity of a texture of options.size for so many triangles.
+/// The capacity of a texture of the options' columns and rows for so many triangles.
 Capacity capacity(std::uint64_t triangles, const AtlasOptions& options);
 
 /// One sentence on the number of texels and the size that would suffice; empty where the texels

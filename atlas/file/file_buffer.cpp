@@ -29,11 +29,8 @@ struct Descriptor {
     }
 };
 
-}  // namespace
-
-FileBuffer read_file(const std::string& path, NamedFiles named) {
-    // O_NONBLOCK: opening a pipe must not wait for a writer.
-    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+/// The size of an open file. Throws Error(io) unless it is a regular one.
+std::size_t size_of(const Descriptor& file, const std::string& path) {
     if (file.number < 0) fail(path, errno);
     struct stat status {};
     if (::fstat(file.number, &status) != 0) fail(path, errno);
@@ -41,11 +38,26 @@ FileBuffer read_file(const std::string& path, NamedFiles named) {
         throw Error(ExitCode::io, fmt::format("cannot read {}: it is a folder, not a file", path));
     if (!S_ISREG(status.st_mode))
         throw Error(ExitCode::io, fmt::format("cannot read {}: it is not a regular file", path));
+    return static_cast<std::size_t>(status.st_size);
+}
 
+/// Opens a file; a pipe without waiting for a writer.
+int open_to_read(const std::string& path) {
+    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+}
+
+}  // namespace
+
+void check_file(const std::string& path) {
+    size_of(Descriptor{open_to_read(path)}, path);
+}
+
+FileBuffer read_file(const std::string& path, NamedFiles named) {
+    const Descriptor file{open_to_read(path)};
+    const std::size_t size = size_of(file, path);
     FileBuffer buffer;
     buffer.path = path;
     buffer.named = named;
-    const auto size = static_cast<std::size_t>(status.st_size);
     buffer.bytes = std::make_unique_for_overwrite<char[]>(std::max<std::size_t>(size, 1));
     while (buffer.size < size) {
         const ssize_t got =

@@ -30,6 +30,10 @@ struct FileBuffer {
 /// system's reason, when it is missing, a folder, a device, or may not be read.
 FileBuffer read_file(const std::string& path, NamedFiles named = NamedFiles::below);
 
+/// Throws Error as read_file() does for a file that is missing, no regular file, or may not be
+/// read; reads nothing of it.
+void check_file(const std::string& path);
+
 /// A buffer that holds a copy of `content`; `path` is only its name in messages.
 FileBuffer buffer_from(std::string_view content, std::string path);
 

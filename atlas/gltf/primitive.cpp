@@ -49,6 +49,15 @@ std::uint64_t drawn_elements(int mode, std::size_t vertices) {
 
 }  // namespace
 
+std::uint64_t gltf_triangles(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+    const auto position = primitive.attributes.find("POSITION");
+    const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+    if (position == primitive.attributes.end() || mode < TINYGLTF_MODE_TRIANGLES) return 0;
+    const int corners = primitive.indices >= 0 ? primitive.indices : position->second;
+    const std::uint64_t count = model.accessors[std::size_t(corners)].count;
+    return mode == TINYGLTF_MODE_TRIANGLES ? count / 3 : count < 3 ? 0 : count - 2;
+}
+
 std::vector<Mat4d> joint_matrices(const tinygltf::Model& model, int skin,
                                   std::span<const Mat4d> to_scene, const std::string& path) {
     const tinygltf::Skin& source = model.skins[std::size_t(skin)];

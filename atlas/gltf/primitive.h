@@ -54,6 +54,10 @@ class VertexSkin {
     std::vector<Influence> influences_;  ///< vertex after vertex, set after set
 };
 
+/// Number of triangles that the primitive has by its mode and the number of its indices; 0 for
+/// points and lines.
+std::uint64_t gltf_triangles(const tinygltf::Model& model, const tinygltf::Primitive& primitive);
+
 /// The placement of one mesh: how its vertices come to the scene.
 struct MeshPlace {
     Mat4d to_scene{1.0};

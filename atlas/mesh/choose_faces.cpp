@@ -51,6 +51,7 @@ Mesh with_faces(const Mesh& mesh, const std::vector<char>& chosen) {
                 {part.name, first, std::uint32_t(triangles.size()) - first, part.instances});
     }
     take_points(mesh, triangles, result);
+    result.notes.unchosen_triangles += mesh.triangles.size() - triangles.size();
     for (const std::uint32_t t : triangles) result.source_faces.push_back(mesh.source_faces[t]);
     result.corners = {
         of_triangles(mesh.corners.normals, triangles), of_triangles(mesh.corners.colors, triangles),

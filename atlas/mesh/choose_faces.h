@@ -8,7 +8,7 @@ namespace burl {
 
 /// The triangles of faces whose entry of `chosen`, by Mesh::source_faces, is not 0, with the points
 /// that they use, in their order; parts without triangles are left out. Notes stay those of the
-/// whole mesh, and at least one triangle must be chosen.
+/// whole mesh but for the number of unchosen triangles, and at least one triangle must be chosen.
 Mesh with_faces(const Mesh& mesh, const std::vector<char>& chosen);
 
 }  // namespace burl

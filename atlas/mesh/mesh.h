@@ -35,7 +35,8 @@ struct Part {
     std::vector<Mat4d> instances{Mat4d(1.0)};
 };
 
-/// Repairs and omissions of a mesh's reading; the programs print every count that is not zero.
+/// Repairs and omissions of a mesh's reading, which the programs print, and counts of what the file
+/// holds besides.
 struct MeshNotes {
     std::uint64_t polygons = 0;              ///< faces with more than three corners, triangulated
     std::uint64_t degenerate_triangles = 0;  ///< triangles with a repeated point or zero area
@@ -44,6 +45,9 @@ struct MeshNotes {
     std::uint64_t merged_points = 0;         ///< file vertices that coincide with an earlier one
     /// Points, lines and curves that the format may carry beside faces.
     std::uint64_t ignored_elements = 0;
+    std::uint64_t unchosen_triangles = 0;  ///< triangles that ReadOptions::choice leaves out
+    /// Names of materials and groups of an OBJ, which a mesh does not hold.
+    std::uint64_t materials = 0, groups = 0;
     std::vector<std::string> sentences;  ///< further notes, each a line on stderr
 };
 

@@ -72,6 +72,7 @@ class SceneReader {
         const std::vector<GltfPlacement> placements = chosen_.of(scene_placements(model_));
         for (const GltfPlacement& placement : placements) read_placement(placement);
         fill_attributes(soup_);
+        count_what_is_not_chosen(placements);
         say_what_is_missing(placements);
         return std::move(soup_);
     }
@@ -160,6 +161,26 @@ class SceneReader {
             {placement.mesh, shares ? placement.nodes : std::vector<int>{placement.nodes[number]},
              to_scene, glm::determinant(Mat3d(to_scene)) < 0.0});
         origins_->drops_nodes = chosen_.drops_nodes();
+    }
+
+    /// Counts triangles of the scene's primitives that the choice leaves out, those of every node.
+    void count_what_is_not_chosen(const std::vector<GltfPlacement>& placements) {
+        if (!options_.choice.any()) return;
+        std::uint64_t all = 0, chosen = 0;
+        for (const GltfPlacement& placement : scene_placements(model_))
+            all += placement.nodes.size() * triangles_of(placement.mesh, false);
+        for (const GltfPlacement& placement : placements)
+            chosen += placement.nodes.size() * triangles_of(placement.mesh, true);
+        soup_.notes.unchosen_triangles = all - chosen;
+    }
+
+    /// The number of triangles of a mesh, or of its chosen primitives.
+    std::uint64_t triangles_of(int mesh, bool chosen) const {
+        std::uint64_t sum = 0;
+        const auto& primitives = model_.meshes[std::size_t(mesh)].primitives;
+        for (std::size_t p = 0; p < primitives.size(); ++p)
+            if (!chosen || chosen_.has(mesh, p)) sum += gltf_triangles(model_, primitives[p]);
+        return sum;
     }
 
     void say_what_is_missing(const std::vector<GltfPlacement>& placements) {

@@ -3,6 +3,7 @@
 // second pass then finds the line.
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "atlas/base/error.h"
 #include "atlas/base/srgb.h"
@@ -68,6 +69,7 @@ class ObjParser {
     Counts beyond_{};  ///< largest index used of each kind, plus 1
     PolygonSoup soup_;
     std::string object_;  ///< the name of the object that faces are of
+    std::set<std::string> materials_, groups_;
     std::uint64_t unknown_lines_ = 0;
     std::size_t first_unknown_line_ = 0;
 };
@@ -200,6 +202,9 @@ void ObjParser::parse_other(std::string_view keyword) {
         "deg",   "bmat",     "step",     "cstype", "parm",   "trim",       "hole",      "scrv",
         "sp",    "end",      "con",      "bevel",  "lod",    "shadow_obj", "trace_obj", "ctech",
         "stech", "c_interp", "d_interp", "call",   "csh"};
+    if (keyword == "usemtl" || keyword == "g")
+        if (const std::string name = in_.rest_of_line(); !name.empty())
+            (keyword == "g" ? groups_ : materials_).insert(name);
     if (std::find(drawn.begin(), drawn.end(), keyword) != drawn.end()) {
         ++soup_.notes.ignored_elements;
     } else if (std::find(silent.begin(), silent.end(), keyword) == silent.end()) {
@@ -209,6 +214,8 @@ void ObjParser::parse_other(std::string_view keyword) {
 
 PolygonSoup ObjParser::finish() {
     end_object();
+    soup_.notes.materials = materials_.size();
+    soup_.notes.groups = groups_.size();
     if (unknown_lines_ > 0)
         soup_.notes.sentences.push_back(
             fmt::format("{} lines with an unknown keyword ignored, the "

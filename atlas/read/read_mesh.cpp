@@ -78,6 +78,11 @@ PolygonSoup parse_mesh(const std::string& path, const ReadOptions& options) {
                       options);
 }
 
+void check_mesh_file(const std::string& path) {
+    parser_for(path);
+    check_file(path);
+}
+
 Mesh read_mesh(const std::string& path, const ReadOptions& options, const std::stop_token& stop) {
     parser_for(path);
     FileBuffer file = with_memory_error(path, [&] { return read_file(path, options.named); });

@@ -16,4 +16,8 @@ namespace burl {
 Mesh read_mesh(const std::string& path, const ReadOptions& options = {},
                const std::stop_token& stop = {});
 
+/// Throws Error as read_mesh() does for a file of another format, or one that is missing or may not
+/// be read; reads nothing of it.
+void check_mesh_file(const std::string& path);
+
 }  // namespace burl

@@ -120,7 +120,7 @@ void bake_plan(const ExportRequest& request, PlannedExport planned, const std::s
         plan.kept = kept_scene(request.mesh);
         prepare(*plan.kept, request.mesh, {}, request.out);
     }
-    if (is_obj(request.out)) plan.obj = kept_obj(request.mesh, pipeline.mesh(), Mat4d(1.0));
+    if (is_obj(request.out)) plan.obj = kept_obj(request.mesh, pipeline.mesh(), {});
     bake(pipeline, plan, pose ? &*pose : nullptr);
 }
 
@@ -163,8 +163,9 @@ void bake_file(const ExportRequest& request, const std::stop_token& stop, Course
 
 void bake_frames(const ExportRequest& request, const std::stop_token& stop, Course* told) {
     if (holds_mesh(request.out) || is_shader_file(request.out))
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: frames are textures alone, .png or .exr", request.out));
+        throw Error(
+            ExitCode::usage,
+            fmt::format("{}: frames are textures alone, such as .png or .exr", request.out));
     check_outputs(request);
     constexpr std::size_t cache = std::size_t(512) << 20;
     const KeyedAnimation& animation = request.recipe.animation;

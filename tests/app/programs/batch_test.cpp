@@ -116,7 +116,7 @@ TEST_F(Batch, OneBadBakeFailsAlone) {
     const Outcome outcome = run(R"({"defaults": {"size": 64}, "bakes": [
         {"mesh": "square.obj", "output": "a.png"},
         {"mesh": "bad.obj", "output": "b.png"},
-        {"mesh": "none.obj", "output": "c.png"},
+        {"mesh": "roof.obj", "output": "c.png", "material": "none"},
         {"mesh": "square.obj", "output": "d.png", "recipe": "wood"}]})");
     EXPECT_EQ(outcome.exit_code, int(ExitCode::invalid_file));
     EXPECT_TRUE(fs::exists(scratch / "a.png"));
@@ -127,6 +127,29 @@ TEST_F(Batch, OneBadBakeFailsAlone) {
     EXPECT_NE(outcome.err.find("bad.obj:2: "), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("batch.json:4: bake 3 (c.png): "), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("2 of 4 bakes failed"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Batch, NothingIsBakedWhereAMeshOrAPoseIsMissingOrOfNoFormat) {
+    scratch.write("m.txt", batch_square);
+    for (const char* options : {"", "--dry-run"}) {
+        const Outcome outcome = run(R"({"defaults": {"size": 64}, "bakes": [
+            {"mesh": "square.obj", "output": "a.png"},
+            {"mesh": "none.obj", "output": "b.png"},
+            {"mesh": "m.txt", "output": "c.png"},
+            {"mesh": "sample:nope", "output": "d.png"},
+            {"mesh": "square.obj", "output": "e.glb", "pose": "bent.obj"},
+            {"mesh": "square.obj", "output": "f.glb", "unshare-instances": true},
+            {"mesh": "square.obj", "output": "g.png", "only-mesh": "x"},
+            {"mesh": "square.obj", "output": "h.png", "material": "no material"}]})",
+                                    options);
+        EXPECT_EQ(outcome.exit_code, int(ExitCode::io));
+        EXPECT_EQ(scratch.files(), 4u);  // the meshes and the manifest
+        for (const char* part : {"bake 2 (b.png): cannot read ", "bake 3 (c.png): ",
+                                 "bake 4 (d.png): there is no mesh \"sample:nope\"",
+                                 "bake 5 (e.glb): cannot read ", "bake 6 (f.glb): --unshare",
+                                 "bake 7 (g.png): --mesh", "6 of 8 bakes are wrong; nothing was"})
+            EXPECT_NE(outcome.err.find(part), std::string::npos) << part << "\n" << outcome.err;
+    }
 }
 
 TEST_F(Batch, NothingIsBakedWhereAnEntryIsWrong) {

@@ -238,6 +238,46 @@ TEST_F(KeptObjFile, IsDrawnWithBothLibraries) {
     EXPECT_EQ(scene.textures.size(), 1u);
 }
 
+/// 20 of 36 triangles are not of Wood; the rows of `wrong` cannot keep them.
+TEST_F(KeptObjFile, FacesThatAreNotChosenAreALossWhereTheyAreLeftOut) {
+    for (const char* wrong : {"w.glb", "w.ply", "w.stl", "w.obj --displace 1 -r hammered"}) {
+        const std::string command = fmt::format("bake '{}' --size 64 --material 'Wood*' -o '{}'/{}",
+                                                scratch / "in.obj", scratch.path().string(), wrong);
+        const Outcome strict = run_burl(scratch, command + " --strict");
+        EXPECT_EQ(strict.exit_code, 5) << wrong;
+        EXPECT_THAT(strict.err, HasSubstr("--strict: not kept: 20 triangles that are not chosen"));
+        EXPECT_EQ(scratch.files(), 1u) << wrong;
+        const Outcome told = run_burl(scratch, command + " --json");
+        EXPECT_THAT(told.err, HasSubstr("not kept: 20 triangles that are not chosen; 4 materials"));
+        EXPECT_THAT(told.out, HasSubstr("\"20 triangles that are not chosen\""));
+        for (const auto& file : fs::directory_iterator(scratch.path()))
+            if (file.path().filename() != "in.obj") fs::remove(file.path());
+    }
+    bake("kept.obj", "--material 'Wood*' --strict");
+    bake("kept.png", "--material 'Wood*' --strict");
+}
+
+TEST_F(KeptObjFile, WhatAnotherFormatCannotHoldIsTold) {
+    EXPECT_THAT(bake("a.glb").err, HasSubstr("not kept: 4 materials; 4 groups; elements other than "
+                                             "faces; texture coordinates\n"));
+    EXPECT_THAT(bake("a.ply", "--atlas quad").err, HasSubstr("4 groups; 4 objects; elements"));
+    const std::string cloud = scratch.write(
+        "cloud.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
+    const std::string command =
+        fmt::format("bake '{}' --size 64 -o '{}'", cloud, scratch / "cloud.glb");
+    EXPECT_THAT(run_burl(scratch, command).err, HasSubstr("not kept: colours of points\n"));
+    EXPECT_EQ(run_burl(scratch, command + " --strict --force").exit_code, 5);
+    const std::string plain = scratch.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(run_burl(scratch, fmt::format("bake '{}' --size 64 -o '{}' --strict", plain,
+                                            scratch / "plain.glb"))
+                  .exit_code,
+              0);
+}
+
 TEST_F(KeptObjFile, NamesNodesAfterObjects) {
     bake("a.glb");
     const Mesh mesh = read_mesh(scratch / "a.glb");

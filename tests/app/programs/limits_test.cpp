@@ -175,8 +175,8 @@ TEST(Limits, AManifestGivesItselfNone) {
 TEST(Limits, PointsOfLevelsAreCounted) {
     const Scratch scratch;
     // 256 texels, and some million points of the surface that tell whether their lookups are right
-    const std::string metrics = "metrics sample:cube -r marble -a quad -s 16 ";
-    const Outcome refused = run_burl(scratch, metrics + "--levels --max-noises 2e6");
+    const std::string metrics = "metrics sample:cube -a quad -s 16 ";
+    const Outcome refused = run_burl(scratch, metrics + "-r marble --levels --max-noises 2e6");
     EXPECT_EQ(refused.exit_code, 5) << refused.err;
     EXPECT_NE(refused.err.find("(--max-noises)"), std::string::npos) << refused.err;
     const Outcome no_lookups = run_burl(scratch, metrics + "--max-noises 9");

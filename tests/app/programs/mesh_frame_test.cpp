@@ -27,7 +27,7 @@ std::string tube(bool twin, double bend = 0.0) {
             const double angle = 2.0 * std::acos(-1.0) * k / around;
             const Vec3d p(30.0 * std::cos(angle) + bend * i * i, 20.0 * std::sin(angle) + 3.0 * i,
                           40.0 * i);
-            const Vec3d q = twin ? 0.001 * Vec3d(p.x, p.z, -p.y) : p;
+            const Vec3d q = twin ? Vec3d(p.x, p.z, -p.y) / 1000.0 : p;
             text += fmt::format("v {} {} {}\n", q.x, q.y, q.z);
         }
     for (int i = 0; i < along; ++i)

@@ -121,6 +121,19 @@ TEST(UvBake, NothingIsWrittenWhereATileIsRefused) {
     EXPECT_EQ(scratch.files(), 1u);
 }
 
+TEST(UvBake, FewTexelsOfATextureThatIsNotSquareAreTold) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("a.obj", uv_squares({{0.0, 0.0, 1.0}}));
+    const auto bake = [&](const char* size) {
+        return run_burl(scratch, fmt::format("bake '{}' -o '{}' -s {} {} --json", mesh,
+                                             scratch / "a.png", size, uv_marble));
+    };
+    EXPECT_NE(bake("8x2").err.find("8 texels per triangle at 8 x 2"), std::string::npos);
+    const Outcome enough = bake("64x1");
+    EXPECT_EQ(enough.err.find("texels per triangle"), std::string::npos) << enough.err;
+    EXPECT_EQ(nlohmann::json::parse(enough.out)["capacity"]["texels_per_triangle"], 32.0);
+}
+
 TEST(UvBake, TexturesThatAreNotSquareAreThePartOfASquareWithTheSameTexels) {
     const Scratch scratch;
     // In the lower picture half of a square texture, and in all of one half as high.

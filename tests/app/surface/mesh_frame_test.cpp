@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/scene/scene.h"
@@ -75,14 +76,14 @@ TEST(MeshFrame, TakesPlacementsNormalsAndPosesAlong) {
             pose.normals.emplace_back(0.0f, 0.0f, 2.0f);
         }
     mesh.corners.normals.assign(pose.normals.size(), Vec3f(0.0f, 0.0f, 1.0f));
-    const Mat4d frame = frame_transform({"z", Vec3d(0.0), 1.0, LengthUnit::mm});
+    const MeshFrame frame{"z", Vec3d(0.0), 1.0, LengthUnit::mm};
     const Mesh result = framed(mesh, frame);
     const MeshPose posed = framed(pose, frame);
     EXPECT_EQ(result.parts[0].instances[0], Mat4d(1.0));
     const Mat4d& moved = result.parts[0].instances[1];
     for (std::size_t p = 0; p < mesh.positions.size(); ++p) {
         const Vec3d& q = mesh.positions[p];
-        EXPECT_EQ(result.positions[p], Vec3d(0.001 * q.x, 0.001 * q.z, 0.001 * -q.y) + 0.0);
+        EXPECT_EQ(result.positions[p], Vec3d(q.x / 1000, q.z / 1000, -q.y / 1000) + 0.0);
         const Vec3d there(moved * Vec4d(result.positions[p], 1.0));
         EXPECT_LT(glm::length(there - Vec3d(0.001 * (q.x + 5.0), 0.001 * (q.z + 1.0),
                                             -0.001 * (q.y - 2.0))),
@@ -91,13 +92,24 @@ TEST(MeshFrame, TakesPlacementsNormalsAndPosesAlong) {
     for (const Vec3f& normal : result.corners.normals) EXPECT_EQ(normal, Vec3f(0.0f, 1.0f, 0.0f));
     for (const Vec3f& normal : posed.normals) EXPECT_EQ(normal, Vec3f(0.0f, 2.0f, 0.0f));
     const Vec3d& first = pose.positions[0];
-    EXPECT_EQ(posed.positions[0], 0.001 * Vec3d(first.x, first.z, -first.y) + 0.0);
+    EXPECT_EQ(posed.positions[0], Vec3d(first.x, first.z, -first.y) / 1000.0 + 0.0);
+}
+
+TEST(MeshFrame, MakesOfWholeMillimetresAndCentimetresWhatMetresInDecimalsAre) {
+    const FramePoints of_mm({"z", Vec3d(0.0), 1.0, LengthUnit::mm});
+    const FramePoints of_cm({"y", {0.0, 90.0, 0.0}, 1.0, LengthUnit::cm});
+    for (int i = 1; i < 20000; ++i) {
+        const double mm = std::stod(fmt::format("{}.{:03}", i / 1000, i % 1000));
+        EXPECT_EQ(of_mm(Vec3d(i, 0.0, -i)), Vec3d(mm, -mm, 0.0)) << i;
+        const double cm = std::stod(fmt::format("{}.{:02}", i / 100, i % 100));
+        EXPECT_EQ(of_cm(Vec3d(i, i, -i)), Vec3d(-cm, cm, -cm)) << i;
+    }
 }
 
 TEST(MeshFrame, RefusesWhatLeavesTheRangeOfMeshes) {
     Mesh mesh = sample_mesh("sample:cad_part");
     for (Vec3d& p : mesh.positions) p *= 1e97;
-    EXPECT_THROW(framed(mesh, frame_transform({"y", Vec3d(0.0), 1e6, {}})), Error);
+    EXPECT_THROW(framed(mesh, MeshFrame{"y", Vec3d(0.0), 1e6, {}}), Error);
 }
 
 TEST(MeshFrame, TurnsScenes) {

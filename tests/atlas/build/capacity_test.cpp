@@ -47,6 +47,14 @@ TEST(Capacity, SaysSoInOneSentence) {
               std::string::npos);
 }
 
+TEST(Capacity, OfATextureThatIsNotSquareIsOfItsTexels) {
+    AtlasOptions wide = of(AtlasKind::uv, 64);
+    wide.height = 1;
+    EXPECT_DOUBLE_EQ(capacity(2, wide).texels_per_triangle, 32.0);
+    wide.size = 8, wide.height = 2;
+    EXPECT_EQ(shortage(capacity(2, wide)), "8 texels per triangle at 8 x 2; --size 8 gives 25");
+}
+
 TEST(Capacity, LoosePiecesAreToldByTexelsEach) {
     Connectivity pieces;
     pieces.shells = 1000;
