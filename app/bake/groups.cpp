@@ -47,13 +47,23 @@ std::optional<int> recipe_for(const std::string& material, const std::vector<Ass
     return others ? std::optional(-1) : std::nullopt;
 }
 
+/// Throws Error(usage) where an assignment is the first of no material that is carved.
 void check_assignments(const BakeCommand& command, const std::vector<Assignment>& assigned,
                        const std::vector<GltfPrimitive>& primitives) {
-    for (const Assignment& one : assigned) {
-        if (std::ranges::any_of(primitives, [&](const GltfPrimitive& primitive) {
-                return matches_glob(primitive.material_name, one.glob);
-            }))
-            continue;
+    for (std::size_t i = 0; i < assigned.size(); ++i) {
+        const Assignment& one = assigned[i];
+        const auto is_its = [&](const GltfPrimitive& primitive) {
+            return recipe_for(primitive.material_name, assigned, false) == int(i);
+        };
+        const auto has_its_name = [&](const GltfPrimitive& primitive) {
+            return matches_glob(primitive.material_name, one.glob);
+        };
+        if (std::ranges::any_of(primitives, is_its)) continue;
+        if (std::ranges::any_of(primitives, has_its_name))
+            throw Error(ExitCode::usage,
+                        fmt::format("{}: --assign {}={} does nothing: all materials of such a name "
+                                    "have the recipe of an --assign before it; put it first",
+                                    command.mesh, one.glob, one.recipe));
         std::set<std::string> names;
         for (const GltfPrimitive& primitive : primitives) names.insert(primitive.material_name);
         throw Error(ExitCode::usage,

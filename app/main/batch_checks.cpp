@@ -102,6 +102,10 @@ CommandFiles check_outputs(const BatchCommand& command, const std::vector<BatchB
 void check_meshes(const std::vector<std::string>& meshes) {
     for (const std::string& mesh : meshes) {
         const bool is_pattern = mesh.find_first_of("*?") != std::string::npos;
+        if (mesh.ends_with(".json"))
+            throw Error(
+                ExitCode::usage,
+                fmt::format("batch: {} is a manifest, which stands alone on a command line", mesh));
         if (is_pattern || is_sample_mesh(mesh) || std::filesystem::exists(mesh)) continue;
         const auto known = [&](const auto& names) {
             return std::ranges::find(names, mesh) != names.end();
@@ -143,14 +147,20 @@ std::vector<BatchEntry> entries_of(const BatchCommand& command) {
     }
     check_meshes(command.what);
     check_output(command);
-    return matrix_of_options(command.what, command.options(), shard);
+    try {
+        return matrix_of_options(command.what, command.options(), shard);
+    } catch (const Error& error) {  // that no file is to blame for
+        const bool of_file = error.code() == ExitCode::invalid_file;
+        throw Error(of_file ? ExitCode::usage : error.code(), error.what());
+    }
 }
 
 /// The bake of an entry. Throws Error where it is wrong, as far as its files' formats and being
 /// there tell without reading its mesh.
-BatchBake checked_bake(const BatchEntry& entry) {
+BatchBake checked_bake(const BatchEntry& entry, bool of_manifest) {
     const BakeCommand& asked = entry.command;
-    if (!entry.wrong.empty()) throw Error(ExitCode::invalid_file, entry.wrong);
+    if (!entry.wrong.empty())
+        throw Error(of_manifest ? ExitCode::invalid_file : ExitCode::usage, entry.wrong);
     check_mesh_argument(asked.mesh);
     if (is_pose_file(asked.pose)) check_mesh_argument(asked.pose);
     BatchBake bake{entry.where, BakeJob(asked, entry.settings)};
@@ -174,7 +184,7 @@ std::vector<BatchBake> checked_bakes(const BatchCommand& command) {
         entry.command.force = command.run.force;
         entry.command.makes_folders = true;
         try {
-            bakes.push_back(checked_bake(entry));
+            bakes.push_back(checked_bake(entry, command.is_manifest()));
         } catch (const Error& error) {
             problems.add(error.code(), entry.where, error.what());
         }

@@ -37,6 +37,16 @@ TEST_F(TwoMaterials, WhatOnlyTheRecipeHeedsIsRefusedWhereNoMaterialHasIt) {
     EXPECT_EQ(slurp(scratch / "d.glb"), slurp(scratch / "e.glb"));
 }
 
+TEST_F(TwoMaterials, AnAssignmentThatComesTooLateIsRefused) {
+    for (const char* late : {"--assign '*=oak' --assign 'Metal=gold'",
+                             "--assign 'Metal=gold' --assign 'Met*=marble'"}) {
+        const Outcome bad = bake("a.glb", late);
+        EXPECT_EQ(bad.exit_code, 1) << late;
+        EXPECT_THAT(bad.err, HasSubstr("does nothing: all materials of such a name")) << late;
+    }
+    EXPECT_EQ(bake("a.glb", "--assign Metal=gold --assign '*=oak'").exit_code, 0);
+}
+
 TEST_F(TwoMaterials, TrianglesThatAreNotChosenAreALossOutsideOfTheirDocument) {
     for (const char* out : {"a.obj", "a.ply", "a.stl", "a.glb --vertex-colors"}) {
         const Outcome strict = bake(out, "--material Metal --strict");
