@@ -49,8 +49,8 @@ void BakeJob::check_strips() const {
                                 command_.out));
 }
 
-/// Throws Error(usage) for options of pictures, and of a recipe that moves nothing, where the
-/// output is the surface alone.
+/// Throws Error(usage) for options of pictures, and for edits of a recipe that moves nothing, where
+/// the output is the surface alone. That it has no colour is told as a loss.
 void BakeJob::check_bare_surface() const {
     const BakeCommand& c = command_;
     const bool beside = !c.channels.empty() || !c.solid_map.empty() || !c.emitted_glsl.empty();
@@ -74,7 +74,6 @@ void BakeJob::check_bare_surface() const {
     // A patch atlas cuts triangles.
     if (c.displace || recipe().atlas.kind == AtlasKind::patch) return;
     constexpr const char* why = "an .stl holds the surface alone, and there is no --displace";
-    if (c.recipe_given && c.pose.empty()) refuse("--recipe", why);
     for (const RecipeEdit& edit : c.recipe.edits())
         if (edit.said.starts_with("--set") && !edit.path.starts_with("atlas.") &&
             !edit.path.starts_with("pose."))

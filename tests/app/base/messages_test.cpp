@@ -56,6 +56,7 @@ TEST(TerminalEscapes, OfFilesAreShownAndNotObeyed) {
             EXPECT_EQ((outcome.out + outcome.err).find(obeyed), std::string::npos) << one.arguments;
     }
     // The line of a bake on stdout, too.
+    scratch.write("\x1b[31mx.obj", "v 0 0 0\n");
     const Outcome batch = run_burl(scratch, fmt::format("batch '{}'", scratch / "e4.json"));
     EXPECT_NE(batch.out.find("\\x1b]0;title\\x07x.png: failed"), std::string::npos) << batch.out;
 }

@@ -87,7 +87,6 @@ INSTANTIATE_TEST_SUITE_P(
         IdleLine{"bake sample:cube -o a.stl --depth 16", "--depth does nothing"},
         IdleLine{"bake sample:cube -o a.stl --pack unity", "--pack does nothing"},
         IdleLine{"bake sample:cube -o a.stl -a quad --compress 0.1", "--compress does nothing"},
-        IdleLine{"bake sample:cube -o a.stl -r oak", "--recipe does nothing: an .stl holds the"},
         IdleLine{"bake sample:cube -o a.stl --set solid.scale=2", "--set solid.scale=2 does"},
         IdleLine{"bake sample:cube -o a.png --gl egl", "--gl says where OpenGL comes from"},
         IdleLine{"bake sample:cube -o a.png --gl-precision 8", "--gl-precision"},

@@ -120,9 +120,11 @@ TEST_F(BatchMatrixRun, ReadsAManifestFromStdin) {
 TEST_F(BatchMatrixRun, WrongPartsAndSizesAreRefused) {
     for (const char* options : {"--shard 0/3", "--shard 4/3", "--shard 3", "--shard a/b",
                                 "--memory lots", "--with nonsense=1"}) {
-        EXPECT_NE(run("all", options).exit_code, 0) << options;
+        EXPECT_EQ(run("all", options).exit_code, 1) << options;
         EXPECT_FALSE(fs::exists(scratch / "all")) << options;
     }
+    for (const char* mistake : {"'none*.obj' -o '{mesh}.glb'", "sample:cube -o '{mehs}.glb'"})
+        EXPECT_EQ(run_burl(scratch, fmt::format("batch -r oak {}", mistake)).exit_code, 1);
 }
 
 }  // namespace
