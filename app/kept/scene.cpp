@@ -148,17 +148,17 @@ std::vector<std::string> losses_of_document(const std::string& mesh_path) {
     return losses;
 }
 
-/// Losses of a mesh whose file is no glTF.
+/// Losses of a mesh whose file is no glTF. One material or group divides nothing, and gives way to
+/// what is carved.
 std::vector<std::string> losses_of_plain(const Mesh& mesh, const std::string& out_path,
                                          bool keeps_uvs) {
     std::vector<std::string> losses;
-    const auto add = [&](std::uint64_t count, const char* one) {
-        if (count > 0) losses.push_back(fmt::format("{} {}{}", count, one, count > 1 ? "s" : ""));
+    const auto add = [&](std::uint64_t count, const char* several) {
+        if (count > 1) losses.push_back(fmt::format("{} {}", count, several));
     };
-    add(mesh.notes.materials, "material");
-    add(mesh.notes.groups, "group");
-    if (mesh.parts.size() > 1 && !is_gltf(out_path) && !is_obj(out_path))
-        add(mesh.parts.size(), "object");
+    add(mesh.notes.materials, "materials");
+    add(mesh.notes.groups, "groups");
+    if (!is_gltf(out_path) && !is_obj(out_path)) add(mesh.parts.size(), "objects");
     if (mesh.notes.ignored_elements > 0) losses.emplace_back("elements other than faces");
     if (!mesh.corners.uvs.empty() && !keeps_uvs) losses.emplace_back("texture coordinates");
     if (!mesh.corners.colors.empty()) losses.emplace_back("colours of points");

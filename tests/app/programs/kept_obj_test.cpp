@@ -271,7 +271,8 @@ TEST_F(KeptObjFile, WhatAnotherFormatCannotHoldIsTold) {
         fmt::format("bake '{}' --size 64 -o '{}'", cloud, scratch / "cloud.glb");
     EXPECT_THAT(run_burl(scratch, command).err, HasSubstr("not kept: colours of points\n"));
     EXPECT_EQ(run_burl(scratch, command + " --strict --force").exit_code, 5);
-    const std::string plain = scratch.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string plain =
+        scratch.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ng all\nusemtl one\nf 1 2 3\n");
     EXPECT_EQ(run_burl(scratch, fmt::format("bake '{}' --size 64 -o '{}' --strict", plain,
                                             scratch / "plain.glb"))
                   .exit_code,
