@@ -63,7 +63,9 @@ struct BakePlan {
     TaskMeter* meter() const { return told ? &told->meter() : nullptr; }
     /// The options that the material depends on; strip atlases may have fewer levels.
     MaterialAsked material() const {
-        return {packing, depth, levels.count, normals == NormalSpace::tangent, crease_degrees};
+        return {packing,        depth,
+                levels.count,   normals == NormalSpace::tangent,
+                crease_degrees, levels.rule.sharp};
     }
 };
 

@@ -107,10 +107,14 @@ class FloatMaterial {
           size_(pipeline.recipe().atlas.size),
           components_(components_of(any_transparent(recipes), wanted)),
           cutoff_(asked.levels > 0 ? mask_cutoff(recipes) : std::nullopt),
-          levels_(components_.size(), LevelRows(pipeline.mesh_atlas(), asked.levels)) {}
+          levels_(components_.size(), LevelRows(pipeline.mesh_atlas(), asked.levels)) {
+        for (std::size_t i = 0; asked.sharp && i < count(); ++i)
+            if (is_color(i)) levels_[i].sharpen();
+    }
 
     std::size_t count() const { return components_.size(); }
     std::size_t components(std::size_t i) const { return components_[i]; }
+    bool is_color(std::size_t i) const { return i == 0 || wanted_[i - 1].plan.is_color; }
 
     /// Gives level 0 to `take`.
     void run(const TakeFloats& take) {
@@ -204,11 +208,10 @@ BakedMaterial bake_levels(Pipeline& pipeline, const MaterialAsked& asked,
     const std::size_t size = pipeline.recipe().atlas.size;
     FloatMaterial floats(pipeline, asked, recipes, wanted);
     std::vector<PictureImage> codes(floats.count());
-    const auto is_color = [&](std::size_t i) { return i == 0 || wanted[i - 1].plan.is_color; };
     ClearTexels clear(transparent ? size : 0);
     floats.run([&](std::size_t first, const std::vector<FloatPicture>& rows) {
         for (std::size_t i = 0; i < rows.size(); ++i)
-            put_rows(picture_codes<Code>(rows[i], is_color(i)), first, size, codes[i]);
+            put_rows(picture_codes<Code>(rows[i], floats.is_color(i)), first, size, codes[i]);
         if (transparent) clear.add(first, std::get<Image<RgbaF>>(rows[0]));
     });
     if (transparent) clear.fill(std::get<Image<Rgba<Code>>>(codes[0]));
@@ -217,7 +220,8 @@ BakedMaterial bake_levels(Pipeline& pipeline, const MaterialAsked& asked,
         material.color_levels.push_back(color_image(picture_codes<Code>(level, true)));
     for (std::size_t i = 1; i < floats.count(); ++i)
         for (const FloatPicture& level : floats.levels(i))
-            material.pictures[i - 1].levels.push_back(picture_codes<Code>(level, is_color(i)));
+            material.pictures[i - 1].levels.push_back(
+                picture_codes<Code>(level, floats.is_color(i)));
     material.normal_levels = floats.normals();
     return material;
 }

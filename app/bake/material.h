@@ -23,6 +23,7 @@ struct MaterialAsked {
     std::uint32_t levels = 0;  ///< number of MIP levels above level 0
     bool normals = false;      ///< whether there is a normal map in tangent space
     double crease_degrees = 40.0;
+    bool sharp = false;  ///< whether levels of colours are sharpened (atlas/base/sharp_level.h)
 
     /// Whether the normal map's levels make the roughness vary.
     bool rough_levels() const { return normals && levels > 0; }
@@ -42,7 +43,8 @@ struct BakedMaterial {
 
 /// The material of the pipeline's recipe in codes of 8 or 16 bits. MIP levels are means in linear
 /// light, of colours multiplied by their alpha; a mask's alpha keeps its share of the surface, and
-/// what normals lose in length becomes roughness (docs/reference/materials-levels.md). Throws
+/// what normals lose in length becomes roughness (docs/reference/materials-levels.md). Sharp levels
+/// are those of colours alone: numbers and normals stay means. Throws
 /// Error(usage) for paint over a transparent texture.
 ///
 /// `recipes` are those that share the atlas (app/bake/shared_pictures.h); empty: the pipeline's.

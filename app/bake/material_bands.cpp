@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "atlas/base/mip_chain.h"
+#include "atlas/base/sharp_level.h"
 #include "atlas/build/block_levels.h"
 
 namespace burl {
@@ -103,7 +104,10 @@ std::vector<FloatPicture> LevelRows::levels() {
     std::visit(
         [&]<class Rows>(Rows& rows) {
             if constexpr (!std::is_same_v<Rows, std::monostate>)
-                for (auto& level : rows.levels(*atlas_, count_)) all.emplace_back(std::move(level));
+                for (auto& level : rows.levels(*atlas_, count_)) {
+                    if (sharp_) burl::sharpen(level);
+                    all.emplace_back(std::move(level));
+                }
         },
         rows_);
     return all;

@@ -81,12 +81,15 @@ class LevelRows {
     LevelRows(const MeshAtlas& atlas, std::uint32_t count) : atlas_(&atlas), count_(count) {}
 
     void add(std::size_t first, const FloatPicture& rows);
+    /// Makes the levels sharp ones (atlas/base/sharp_level.h).
+    void sharpen() { sharp_ = true; }
     /// Levels 1 to the last; once, when all rows were added.
     std::vector<FloatPicture> levels();
 
   private:
     const MeshAtlas* atlas_;
     std::uint32_t count_;
+    bool sharp_ = false;
     std::variant<std::monostate, RowsOfLevels<float>, RowsOfLevels<RgbF>, RowsOfLevels<RgbaF>>
         rows_{};
 };

@@ -209,11 +209,11 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     add_pose(verb, command.pose);
     verb.add_option("--levels", command.levels,
                     "MIP levels to write besides the texture: a number, all, or all by a rule, "
-                    "average or direct");
+                    "average, sharp or direct");
     verb.add_option("--level-rule", command.level_rule,
-                    "MIP levels averaged from the level below (average, the default), or worked "
-                    "out from the recipe: direct, 16 samples a texel, or direct:N, N being 1, 4, "
-                    "16 or 64")
+                    "MIP levels averaged from the level below (average, the default), with colours "
+                    "sharpened against the blur of their lookup (sharp), or worked out from the "
+                    "recipe: direct, 16 samples a texel, or direct:N, N being 1, 4, 16 or 64")
         ->needs("--levels");
     verb.add_option("--compress", command.compress,
                     "Quad atlas: blocks that differ by no more than this (0 to 1, full scale) "

@@ -29,7 +29,8 @@ std::uint32_t count_asked(const std::string& text, std::uint32_t all, ImageKind 
         if (failure != std::errc() || stop != end)
             throw Error(
                 ExitCode::usage,
-                fmt::format("--levels {}: must be a number of MIP levels, all, average or direct",
+                fmt::format("--levels {}: must be a number of MIP levels, all, average, sharp or "
+                            "direct",
                             text));
     }
     return kind == ImageKind::rgb_float && count > 0 ? all : std::min(count, all);
@@ -86,7 +87,7 @@ AtomicFile write_texture(Pipeline& pipeline, const std::string& path, const Leve
 LevelsAsked levels_asked(const std::string& text, const std::string& rule, std::uint32_t size,
                          ImageKind kind) {
     if (text.empty()) return {};
-    const bool names_rule = text == "average" || text.starts_with("direct");
+    const bool names_rule = text == "average" || text == "sharp" || text.starts_with("direct");
     const std::uint32_t all = size == 0 ? 0u : std::uint32_t(std::bit_width(size)) - 1;
     LevelsAsked asked;
     asked.rule = level_rule_named(names_rule ? text : rule.empty() ? "average" : rule);

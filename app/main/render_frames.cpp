@@ -168,8 +168,13 @@ LazyOptions lazy_options(const RenderCommand& command) {
     return lazy;
 }
 
-/// Throws Error(usage) for --level-rule of a material whose pictures have no levels of their own.
+/// Throws Error(usage) for --level-rule of a material whose pictures have no levels of their own,
+/// and for levels that need texels which the picture does not show.
 void check_rule(const RenderCommand& command, const Recipe& recipe) {
+    if (command.level_rule && level_rule_named(*command.level_rule).sharp)
+        throw Error(ExitCode::usage,
+                    "--level-rule sharp: sharp levels need texels that the picture does not show; "
+                    "bake with --levels sharp and render that, or leave it out");
     if (command.level_rule && has_pictures(recipe, Packing::gltf))
         throw Error(ExitCode::usage,
                     "--level-rule does nothing: the recipe's material varies in more than colour, "

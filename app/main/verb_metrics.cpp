@@ -27,7 +27,7 @@ namespace {
 
 struct MetricsCommand {
     std::string mesh;
-    std::string texture, fill = "extrapolate";
+    std::string texture, fill = "extrapolate", level_rule = "average";
     RecipeOptions recipe;
     MeshOptions meshes;
     std::string image;  // prefix of pictures; empty: none
@@ -153,6 +153,7 @@ void run_metrics(const MetricsCommand& command) {
     const MeasuringPlan plan{recipe,
                              command.texture == "recipe",
                              command.levels,
+                             command.level_rule == "sharp",
                              gap_fill(command.fill),
                              command.image,
                              command.view ? parse_view(*command.view) : View{},
@@ -202,6 +203,10 @@ void add_metrics(CLI::App& program) {
                      "texels), nearest (copied) or black")
         ->check(one_of({"extrapolate", "nearest", "black"}))
         ->capture_default_str();
+    verb->add_option("--level-rule", command->level_rule,
+                     "MIP levels that are looked up: average, or sharp, as burl bake makes them")
+        ->check(one_of({"average", "sharp"}))
+        ->capture_default_str();
     verb->add_option("--image", command->image,
                      "Draw PREFIX-ATLAS-charts.png, -scale.png and -levels.png");
     verb->add_option("--view", command->view,
@@ -211,7 +216,7 @@ void add_metrics(CLI::App& program) {
     add_input_limits(*verb, command->meshes, command->recipe);
     verb->get_option("--view")->needs("--image");
     verb->callback([command, verb, texture] {
-        for (const char* option : {"--texture", "--fill"})
+        for (const char* option : {"--texture", "--fill", "--level-rule"})
             if (verb->count(option) > 0 && !command->levels && command->image.empty())
                 throw Error(ExitCode::usage,
                             fmt::format("{} is about lookups; add --levels or --image, or leave it "

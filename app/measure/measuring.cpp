@@ -180,7 +180,9 @@ MeasuredAtlas Measuring::measured(std::string name, const Mesh& surface,
     const TextureValues values =
         fill_texture(points_of(unit, atlas, unit.positions), texture_.color, plan_.fill);
     check_stop(plan_.stop);
-    if (truth) result.lookups = measure_lookups(unit, atlas, values, edges, *truth, in_8bit_srgb());
+    if (truth)
+        result.lookups =
+            measure_lookups(unit, atlas, values, edges, *truth, in_8bit_srgb(), plan_.sharp);
     if (!plan_.image.empty())
         draw({surface, atlas, solid, plan_.view}, measure_charts(surface, atlas, edges), values,
              result);
@@ -195,7 +197,7 @@ void Measuring::draw(const PicturedAtlas& what, const ChartMetrics& charts,
     };
     write(picture_topics[0], charts_picture(what, charts.of_triangle));
     write(picture_topics[1], scale_picture(what));
-    write(picture_topics[2], levels_picture(what, values));
+    write(picture_topics[2], levels_picture(what, values, plan_.sharp));
 }
 
 }  // namespace burl

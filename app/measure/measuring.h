@@ -23,6 +23,7 @@ struct MeasuringPlan {
     Recipe recipe{};               ///< with the atlas's size
     bool looks_up_recipe = false;  ///< whether lookups are of its texture, else of metric-marble
     bool lookups = false;          ///< whether lookups are measured, which takes seconds
+    bool sharp = false;            ///< whether they are of sharp levels (atlas/base/sharp_level.h)
     GapFill fill = GapFill::extrapolate;
     std::string image{};         ///< prefix of pictures that are written; empty: none
     View view{};                 ///< where pictures look from

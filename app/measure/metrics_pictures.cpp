@@ -7,6 +7,7 @@
 #include "app/surface/normals.h"
 #include "atlas/base/mip_chain.h"
 #include "atlas/base/random_unit.h"
+#include "atlas/base/sharp_level.h"
 #include "atlas/measure/lookup.h"
 #include "atlas/solid/weights.h"
 #include "procedural/color/srgb.h"
@@ -121,8 +122,9 @@ Image<Rgb8> scale_picture(const PicturedAtlas& what) {
     return triangles_picture(what, colors);
 }
 
-Image<Rgb8> levels_picture(const PicturedAtlas& what, const TextureValues& texture) {
-    const MipChain<Vec3f> chain = build_mip_chain(texture.values);
+Image<Rgb8> levels_picture(const PicturedAtlas& what, const TextureValues& texture, bool sharp) {
+    MipChain<Vec3f> chain = build_mip_chain(texture.values);
+    if (sharp) std::ranges::for_each(chain.levels.begin() + 1, chain.levels.end(), sharpen<Vec3f>);
     const std::size_t count = std::min(most_levels, chain.levels.size());
     Image<Rgb8> picture(count * tile, 2 * tile);
     for (std::size_t l = 0; l < count; ++l) {

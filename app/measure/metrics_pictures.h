@@ -27,8 +27,10 @@ Image<Rgb8> charts_picture(const PicturedAtlas& what, std::span<const std::uint3
 Image<Rgb8> scale_picture(const PicturedAtlas& what);
 
 /// MIP levels 0 to 6, or as many as there are, in tiles of 256 x 256 pixels: above the level's
-/// texels, below the unlit model with bilinear lookups in that level.
-Image<Rgb8> levels_picture(const PicturedAtlas& what, const TextureValues& texture);
+/// texels, below the unlit model with bilinear lookups in that level. Where `sharp`, levels are
+/// sharpened (atlas/base/sharp_level.h).
+Image<Rgb8> levels_picture(const PicturedAtlas& what, const TextureValues& texture,
+                           bool sharp = false);
 
 /// The relative scale of each triangle; 1 where it has no area on the surface.
 std::vector<double> relative_scales(const Mesh& mesh, const Atlas& atlas);

@@ -65,10 +65,10 @@ void print_lookups(const MeasuredAtlas& m) {
     if (!m.lookups) return;
     const LookupErrors& errors = *m.lookups;
     fmt::print(
-        "\n{}: {}, {:.2f} dB ({:.2f} dB in 8 bits), seam over interior error {:.2f} "
+        "\n{}: {}{}, {:.2f} dB ({:.2f} dB in 8 bits), seam over interior error {:.2f} "
         "({:.1f} % of points near a seam)\n",
-        m.name, printable(m.texture), errors.psnr, errors.psnr_8bit, seam_ratio(errors),
-        100.0 * errors.seam_points);
+        m.name, printable(m.texture), errors.sharp ? ", sharp levels" : "", errors.psnr,
+        errors.psnr_8bit, seam_ratio(errors), 100.0 * errors.seam_points);
     fmt::print("{:<6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>11}\n", "level", "rmse",
                "direct", "8 bits", "truth +-", "8:1", "8:1 8bit", "mismatch", "foreign",
                "other chart");
@@ -109,6 +109,7 @@ Json lookups_json(const MeasuredAtlas& m, const LookupErrors& errors) {
                           {"other_chart", e.other_chart}});
     }
     return {{"texture", m.texture},
+            {"level_rule", errors.sharp ? "sharp" : "average"},
             {"psnr", errors.psnr},
             {"psnr_8bit", errors.psnr_8bit},
             {"seam_rmse", errors.seam_rmse},

@@ -31,17 +31,19 @@ Image<RgbF> samples(const SolidAtlas& solid, const Recipe& recipe, std::uint32_t
 
 LevelRule level_rule_named(const std::string& name) {
     if (name == "average") return {};
+    if (name == "sharp") return {.sharp = true};
     if (name == "direct") return {.direct = true};
     for (const std::uint32_t count : sample_counts)
         if (name == fmt::format("direct:{}", count)) return {.direct = true, .samples = count};
     throw Error(ExitCode::usage,
-                fmt::format("MIP levels by {}: must be average, direct or direct:N, N being 1, 4, "
-                            "16 or 64 samples a texel",
+                fmt::format("MIP levels by {}: must be average, sharp, direct or direct:N, N "
+                            "being 1, 4, 16 or 64 samples a texel",
                             name));
 }
 
 std::string to_string(const LevelRule& rule) {
-    return rule.direct ? fmt::format("direct:{}", rule.samples) : "average";
+    if (rule.direct) return fmt::format("direct:{}", rule.samples);
+    return rule.sharp ? "sharp" : "average";
 }
 
 std::uint32_t source_level(const MeshAtlas& atlas, const LevelRule& rule, std::uint32_t level) {

@@ -15,16 +15,18 @@
 
 namespace burl {
 
-/// Rule of MIP levels 1 and up: averaged from the level below, or direct.
+/// Rule of MIP levels 1 and up: averaged from the level below, averaged and then sharpened
+/// (atlas/base/sharp_level.h), or direct.
 struct LevelRule {
     bool direct = false;
+    bool sharp = false;  ///< not of direct levels
     /// The number of samples of a direct level's texel, in a regular grid: 1, 4, 16 or 64.
     std::uint32_t samples = 16;
     bool operator==(const LevelRule&) const = default;
 };
 
-/// The rule named "average", "direct" (16 samples) or "direct:N". Throws Error(usage) for other
-/// names.
+/// The rule named "average", "sharp", "direct" (16 samples) or "direct:N". Throws Error(usage) for
+/// other names.
 LevelRule level_rule_named(const std::string& name);
 /// The name that level_rule_named takes.
 std::string to_string(const LevelRule& rule);

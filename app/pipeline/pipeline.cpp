@@ -114,7 +114,7 @@ std::vector<Image<RgbF>> Pipeline::levels_in_bands(std::uint32_t count, const Le
 Image<RgbF> Pipeline::level(std::uint32_t number, const LevelRule& rule) {
     if (!rule.direct) {
         Image<RgbF> texture = synthesize<RgbF>();
-        std::vector<Image<RgbF>> means = levels(texture, number);
+        std::vector<Image<RgbF>> means = levels(texture, number, rule);
         return means.empty() ? texture : std::move(means.back());
     }
     const SolidAtlas& points = solid();

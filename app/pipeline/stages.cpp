@@ -8,6 +8,7 @@
 #include "app/paint/mask.h"
 #include "app/pipeline/tasks.h"
 #include "atlas/base/mip_chain.h"
+#include "atlas/base/sharp_level.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/solid/level.h"
 #include "procedural/fill/normals.h"
@@ -217,6 +218,7 @@ std::vector<Image<RgbF>> LevelStage::run(StageContext& context, const MeshAtlas&
                                                   level_synthesis(context, masks, cost))
             : context.synthesizer ? context.synthesizer->levels(atlas, texture, count)
                                   : block_levels(atlas, texture, count);
+        if (rule.sharp) std::ranges::for_each(levels, sharpen<RgbF>);
         add_levels(levels, rule, cost);
         return levels;
     });
@@ -246,6 +248,7 @@ std::vector<Image<RgbF>> LevelStage::run_in_bands(StageContext& context, const M
             rule.direct ? direct_levels(atlas, solid, recipe, means, count, rule,
                                         level_synthesis(context, masks, cost))
                         : means(count);
+        if (rule.sharp) std::ranges::for_each(levels, sharpen<RgbF>);
         add_levels(levels, rule, cost);
         return levels;
     });

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <tbb/parallel_for.h>
 
+#include "atlas/base/sharp_level.h"
 #include "atlas/measure/lookup.h"
 #include "atlas/measure/seams.h"
 
@@ -87,6 +89,14 @@ MipChain<Vec3f> stored_chain(const Image<Vec3f>& image, const StoredValue& in_8b
     while (chain.levels.back().width() > 1)
         chain.levels.push_back(stored(halve(chain.levels.back()), in_8bit));
     return chain;
+}
+
+/// Sharpens levels 1 and up and stores them by `in_8bit`, if there is any.
+void sharpen_levels(MipChain<Vec3f>& chain, const StoredValue& in_8bit = {}) {
+    for (Image<Vec3f>& level : std::span(chain.levels).subspan(1)) {
+        sharpen(level);
+        if (in_8bit) level = stored(level, in_8bit);
+    }
 }
 
 /// Lookups of one chain of levels at points of the surface.
@@ -227,13 +237,17 @@ std::vector<ViewError> view_errors(const Mesh& mesh, const Atlas& atlas,
 
 LookupErrors measure_lookups(const Mesh& mesh, const Atlas& atlas, const TextureValues& texture,
                              std::span<const MeshEdge> edges, const SurfaceTruth& truth,
-                             const StoredValue& in_8bit) {
+                             const StoredValue& in_8bit, bool sharp) {
     LookupErrors errors;
+    errors.sharp = sharp;
     measure_seams(atlas, texture.values, ChartBorders(atlas, edges), truth, errors);
-    const MipChain<Vec3f> chain = build_mip_chain(texture.values);
+    MipChain<Vec3f> chain = build_mip_chain(texture.values);
+    if (sharp) sharpen_levels(chain);
     measure_levels({mesh, atlas, truth, chain}, texture, edges, errors);
     errors.views = view_errors(mesh, atlas, chain, truth.views);
-    measure_8bit({mesh, atlas, truth, stored_chain(texture.values, in_8bit)}, errors);
+    MipChain<Vec3f> in_codes = stored_chain(texture.values, in_8bit);
+    if (sharp) sharpen_levels(in_codes, in_8bit);
+    measure_8bit({mesh, atlas, truth, in_codes}, errors);
     errors.psnr = decibel(errors.levels[0].rmse);
     errors.psnr_8bit = decibel(errors.levels[0].rmse_8bit);
     return errors;

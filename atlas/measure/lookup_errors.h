@@ -76,6 +76,7 @@ struct LookupErrors {
     double psnr = 0.0, psnr_8bit = 0.0;  ///< PSNR of level 0, dB, peak 1; infinite if exact
     double seam_rmse = 0.0;              ///< level 0 at points within one texel of a chart's border
     double interior_rmse = 0.0;          ///< level 0 at all other points
+    bool sharp = false;                  ///< whether the levels were sharpened
     double seam_points = 0.0;            ///< share of points within one texel of a chart's border
     std::vector<LevelError> levels;      ///< errors by level, from level 0
     std::vector<ViewError> views{};      ///< errors of the truth's sampled views, row by row
@@ -95,9 +96,10 @@ using StoredValue = std::function<double(double)>;
 
 /// Measures the errors of a texture. `truth` must be of the same mesh, the same f as `texture` and
 /// the same texture size. Each level is the box mean of the level before; for the figures in 8 bits
-/// every level is stored by `in_8bit` before the next is made of it.
+/// every level is stored by `in_8bit` before the next is made of it. Where `sharp`, levels are
+/// sharpened once all are made (atlas/base/sharp_level.h), and stored again.
 LookupErrors measure_lookups(const Mesh& mesh, const Atlas& atlas, const TextureValues& texture,
                              std::span<const MeshEdge> edges, const SurfaceTruth& truth,
-                             const StoredValue& in_8bit);
+                             const StoredValue& in_8bit, bool sharp = false);
 
 }  // namespace burl

@@ -141,9 +141,10 @@ TEST(BakeBands, PaintThatComesInPartsIsThatOfOneLayer) {
     EXPECT_EQ(pipeline.synthesize<Rgb8>(), expected);
 }
 
-TEST(BakeBands, LevelsOfEitherRuleAreThoseOfTheWholeTexture) {
+TEST(BakeBands, LevelsOfEveryRuleAreThoseOfTheWholeTexture) {
     for (const auto& [rule, size] : {std::pair(LevelRule{}, 3072u),
                                      {LevelRule{.direct = true}, 3072u},
+                                     {LevelRule{.sharp = true}, 3072u},
                                      {LevelRule{}, 3071u},
                                      {LevelRule{.direct = true}, 3071u}}) {
         Recipe recipe = load_recipe("stripes", {});
@@ -166,7 +167,7 @@ TEST(BakeBands, FilesAreThoseOfTheWholeTexture) {
     recipe.atlas.size = 512;
     Pipeline pipeline(sample_mesh("sample:teapot"));
     pipeline.set_recipe(recipe);
-    for (const std::string levels : {"", "all", "direct"}) {
+    for (const std::string levels : {"", "all", "sharp", "direct"}) {
         const LevelsAsked asked = levels_asked(levels, "", 512, ImageKind::rgb_float);
         ASSERT_TRUE(comes_in_bands(pipeline, asked));
         BandsWritten written = write_exr_in_bands(pipeline, folder / "bands.exr", asked);

@@ -216,6 +216,18 @@ TEST_F(MaterialBake, LevelsAreMeansOfEveryPicture) {
     EXPECT_GT(means, 32u * 32u / 2);
 }
 
+TEST_F(MaterialBake, SharpLevelsAreThoseOfColours) {
+    const auto levels_of = [&](bool sharp) {
+        bake_to("a.png", opaque_json, [&](BakePlan& plan) { plan.levels = {1, {.sharp = sharp}}; });
+        std::vector<std::vector<std::uint16_t>> codes;
+        for (const char* name : {"a", "a_emissive", "a_metallic", "a_roughness", "a_clearcoat"})
+            codes.push_back(png(fmt::format("{}.1.png", name)).codes);
+        return codes;
+    };
+    const auto means = levels_of(false), sharp = levels_of(true);
+    for (std::size_t i = 0; i < means.size(); ++i) EXPECT_EQ(means[i] != sharp[i], i < 2) << i;
+}
+
 TEST_F(MaterialBake, LevelsOfSmoothnessAreLessWhereNormalsAverage) {
     const std::string rough = R"({"atlas": {"size": 64}, "solid": {"scale": 20},
         "material": {"roughness": 0, "height": {"node": "fbm"}}, "bump": {"height": 0.2}})";

@@ -122,6 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "--turn-light does nothing"},
         IdleLine{"render --lazy sample:cube -o a.png --recipe gold --level-rule average",
                  "--level-rule does nothing"},
+        IdleLine{"render --lazy sample:cube -o a.png --level-rule sharp",
+                 "bake with --levels sharp and render that"},
         IdleLine{"render --direct sample:cube -o a.png --widths --filter exact", "--widths"},
         IdleLine{"render --direct --plane 0,1,0,-1 -o a.png --weld 0.1", "planes alone"},
         IdleLine{"render --direct --plane sea:0,1,0,-1 -o a.png -r wood", "shown nowhere"},
@@ -132,6 +134,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Others, IdleOptions,
     testing::Values(
+        IdleLine{"metrics sample:cube --level-rule sharp", "--level-rule is about lookups"},
         IdleLine{"metrics sample:cube --gutter 2", "--gutter 2 does nothing"},
         IdleLine{"metrics sample:cube --view 0,0,3", "--image"},
         IdleLine{"metrics sample:cube --fill black", "--fill is about lookups"},

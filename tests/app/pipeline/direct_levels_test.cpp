@@ -14,6 +14,7 @@
 #include "app/pipeline/pipeline.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/base/sharp_level.h"
 #include "atlas/build/block_levels.h"
 #include "tests/atlas/support/made_meshes.h"
 #include "tests/atlas/support/made_patches.h"
@@ -160,12 +161,15 @@ TEST(DirectLevels, SamplesAreFilteredWhereThatIsExact) {
 
 TEST(DirectLevels, RulesHaveNames) {
     EXPECT_EQ(level_rule_named("average"), LevelRule{});
+    EXPECT_EQ(level_rule_named("sharp"), LevelRule{.sharp = true});
+    EXPECT_EQ(to_string(LevelRule{.sharp = true}), "sharp");
     EXPECT_EQ(level_rule_named("direct"), direct(16));
     for (const std::uint32_t samples : {1u, 4u, 16u, 64u}) {
         EXPECT_EQ(level_rule_named(fmt::format("direct:{}", samples)), direct(samples));
         EXPECT_EQ(to_string(direct(samples)), fmt::format("direct:{}", samples));
     }
-    for (const char* bad : {"", "Direct", "direct:", "direct:2", "direct:016", "average:4"})
+    for (const char* bad :
+         {"", "Direct", "direct:", "direct:2", "direct:016", "average:4", "sharp:2"})
         EXPECT_THROW(level_rule_named(bad), Error) << bad;
 }
 
@@ -187,8 +191,11 @@ TEST(LevelsAsked, NameTheirRule) {
     expect("direct", "", 8, direct());
     expect("direct:64", "direct:64", 8, direct(64));
     expect("average", "", 8, {});
+    expect("sharp", "", 8, {.sharp = true});
+    expect("3", "sharp", 3, {.sharp = true});
     for (const auto& [levels, rule] : {std::pair{"direct", "average"},
                                        {"direct:16", "direct:4"},
+                                       {"sharp", "average"},
                                        {"3", "best"},
                                        {"direct:3", ""},
                                        {"some", ""},
@@ -215,6 +222,18 @@ TEST(DirectLevels, OfAPipelineCountTheTexelsTheyWorkOut) {
     const Image<RgbF> texture = pipeline.synthesize<RgbF>();
     EXPECT_EQ(pipeline.levels(texture, 3, direct())[2], pipeline.level(3, direct()));
     EXPECT_EQ(pipeline.levels(texture, 3)[2], pipeline.level(3, {}));
+}
+
+TEST(SharpLevels, OfAPipelineAreItsMeansSharpened) {
+    Pipeline pipeline(sample_mesh("sample:teapot"));
+    pipeline.set_recipe(load_recipe("marble", {"atlas.size=128"}));
+    const Image<RgbF> texture = pipeline.synthesize<RgbF>();
+    std::vector<Image<RgbF>> means = pipeline.levels(texture, 7);
+    const std::vector<Image<RgbF>> levels = pipeline.levels(texture, 7, {.sharp = true});
+    EXPECT_NE(levels, means);
+    for (Image<RgbF>& level : means) sharpen(level);
+    EXPECT_EQ(levels, means);
+    EXPECT_EQ(pipeline.level(2, {.sharp = true}), means[1]);
 }
 
 /// Errors of level 3 at 256 x 256, the first that costs less than level 0: 16 samples are 1/4.

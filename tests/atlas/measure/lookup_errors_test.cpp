@@ -54,8 +54,8 @@ struct Square {
     }
 
     LookupErrors measured(const TextureValues& values, const SurfaceTruth& truth,
-                          const StoredValue& in_8bit = to_255) const {
-        return measure_lookups(mesh, atlas, values, edges, truth, in_8bit);
+                          const StoredValue& in_8bit = to_255, bool sharp = false) const {
+        return measure_lookups(mesh, atlas, values, edges, truth, in_8bit, sharp);
     }
 };
 
@@ -118,6 +118,26 @@ TEST(LookupErrors, MismatchAcrossASeamIsItsOffset) {
         square.measured(square.texture, surface_truth(square.mesh, middle, few(64)));
     EXPECT_NEAR(errors.levels[0].rmse, offset, 0.002);
     EXPECT_NEAR(errors.psnr, -20.0 * std::log10(offset), 0.3);
+}
+
+// Long waves, straight on, two and four texels to the pixel: what a trilinear lookup blurs more
+// than the pixel does is 1/6 of a texel's square along each axis, and 2 s of it are taken back.
+TEST(LookupErrors, SharpLevelsErrLessInViews) {
+    const Function wave = [](const Vec3d& p) { return 0.5 + 0.3 * std::sin(9.0 * p.x); };
+    const Square square(wave, whole);
+    const SurfaceTruth truth = surface_truth(square.mesh, grey(wave), few(64));
+    const LookupErrors means = square.measured(square.texture, truth),
+                       sharp = square.measured(square.texture, truth, to_255, true);
+    EXPECT_EQ(sharp.levels[0].rmse, means.levels[0].rmse);
+    EXPECT_TRUE(sharp.sharp && !means.sharp);
+    ASSERT_EQ(means.views.size(), sharp.views.size());
+    for (std::size_t r = 0; r < means.views.size(); ++r) {
+        const ViewError &before = means.views[r], &now = sharp.views[r];
+        EXPECT_LE(now.rmse[0], 1.001 * before.rmse[0]) << r;
+        const bool near = before.minification == 2.0 || before.minification == 4.0;
+        if (before.tilt > 0.0 || !near) continue;
+        EXPECT_NEAR(now.rmse[0] / before.rmse[0], 0.7, 0.1) << r;
+    }
 }
 
 TEST(LookupErrors, JoinedEdgesHaveNoMismatch) {
