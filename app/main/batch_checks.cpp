@@ -172,6 +172,9 @@ BatchBake checked_bake(const BatchEntry& entry, bool of_manifest) {
 
 std::vector<BatchBake> checked_bakes(const BatchCommand& command) {
     std::vector<BatchEntry> entries = entries_of(command);
+    if (entries.empty() && !command.shard.empty())
+        warn(fmt::format("{}: part {} has no bake: there are fewer bakes than parts",
+                         command.name(), command.shard));
     std::vector<BatchBake> bakes;
     Problems problems(command.name());
     const auto images = std::make_shared<RecipeImages>();

@@ -16,7 +16,13 @@ namespace {
 Scene load_plain_mesh(const std::string& path, std::uint64_t most_triangles) {
     const Mesh mesh = read_mesh(path, {.most_triangles = most_triangles});
     const bool colored = !mesh.corners.colors.empty();
-    return scene_from_mesh(mesh, {colored ? Vec4f(1.0f) : default_grey, -1});
+    Scene scene = scene_from_mesh(mesh, {colored ? Vec4f(1.0f) : default_grey, -1});
+    if (!colored)
+        scene.notes.push_back(fmt::format(
+            "{}: drawn grey: of this format colours of points are drawn, and no picture; "
+            "render a .glb or .obj, or add --lazy with a recipe",
+            path));
+    return scene;
 }
 
 /// Replaces values per vertex, if any, by values per triangle corner.

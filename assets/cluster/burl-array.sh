@@ -1,7 +1,7 @@
 #!/bin/sh
 # A Slurm job array that bakes a manifest, each task a part of it:
 #   sbatch --array=1-100 burl-array.sh night.json
-# Further arguments go to `burl batch`. A task that is requeued finds what it has done up to date.
+# Further arguments go to `burl batch`, which gets --shard, --jobs and --progress from here. A task that is requeued finds what it has done up to date.
 #SBATCH --job-name=burl
 #SBATCH --requeue
 #SBATCH --cpus-per-task=2

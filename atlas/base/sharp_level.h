@@ -10,8 +10,8 @@
 
 namespace burl {
 
-/// The weight s of a texel's neighbours: the largest 1/2^k with which no row of sampled views falls
-/// further behind than 1.15 of another atlas's error (docs/lab/sampled.md).
+/// The weight s of a texel's neighbours, chosen by the errors of sampled views
+/// (docs/lab/sampled.md): more helps trilinear lookups and takes from anisotropic ones.
 inline constexpr double sharpness = 1.0 / 32.0;
 
 /// Sharpens a level of box means in place: texel (x, y) becomes the sum over the 3 x 3 texels round

@@ -38,6 +38,14 @@ void check_globs(const Globs& globs, const std::vector<std::string>& names, cons
     }
 }
 
+bool has_primitive_without_material(const tinygltf::Model& model) {
+    return std::ranges::any_of(model.meshes, [](const tinygltf::Mesh& mesh) {
+        return std::ranges::any_of(mesh.primitives, [](const tinygltf::Primitive& primitive) {
+            return primitive.material < 0;
+        });
+    });
+}
+
 template <class NameOf>
 std::vector<std::string> all_names(std::size_t count, const NameOf& name_of) {
     std::vector<std::string> names;
@@ -83,13 +91,15 @@ std::string gltf_material_name(const tinygltf::Model& model, int material) {
 
 ChosenGltf::ChosenGltf(const tinygltf::Model& model, const GltfChoice& choice,
                        const std::string& path)
-    : model_(model) {
+    : model_(model), path_(path) {
     const auto mesh_name = [&](int i) { return gltf_mesh_name(model, i); };
     const auto node_name = [&](int i) { return gltf_node_name(model, i); };
-    const auto material_name = [&](int i) { return gltf_material_name(model, i - 1); };
+    const int unnamed = has_primitive_without_material(model) ? 1 : 0;
+    const auto material_name = [&](int i) { return gltf_material_name(model, i - unnamed); };
     check_globs(choice.meshes, all_names(model.meshes.size(), mesh_name), "mesh", path);
     check_globs(choice.nodes, all_names(model.nodes.size(), node_name), "node", path);
-    check_globs(choice.materials, all_names(model.materials.size() + 1, material_name), "material",
+    check_globs(choice.materials,
+                all_names(model.materials.size() + std::size_t(unnamed), material_name), "material",
                 path);
     if (!choice.nodes.empty()) nodes_ = nodes_below(model, choice.nodes);
     for (int mesh = 0; mesh < int(model.meshes.size()); ++mesh) {
@@ -109,6 +119,7 @@ bool ChosenGltf::has(int mesh, std::size_t primitive) const {
 }
 
 std::vector<GltfPlacement> ChosenGltf::of(std::vector<GltfPlacement> placements) const {
+    if (placements.empty()) return placements;
     for (GltfPlacement& placement : placements) {
         for (std::size_t i = placement.nodes.size(); i-- > 0 && !nodes_.empty();) {
             if (nodes_[std::size_t(placement.nodes[i])]) continue;
@@ -120,6 +131,11 @@ std::vector<GltfPlacement> ChosenGltf::of(std::vector<GltfPlacement> placements)
         const std::vector<bool>& chosen = primitives_[std::size_t(placement.mesh)];
         return placement.nodes.empty() || std::ranges::find(chosen, true) == chosen.end();
     });
+    if (placements.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: nothing in the scene is all that --mesh, --node and "
+                                "--material name; choose other names",
+                                path_));
     return placements;
 }
 

@@ -26,11 +26,12 @@ class ChosenGltf {
     /// Whether nodes are left out.
     bool drops_nodes() const { return !nodes_.empty(); }
     /// The placements without nodes that are not chosen, and without meshes none of whose
-    /// primitives is.
+    /// primitives is. Throws Error(usage) where none is left of some.
     std::vector<GltfPlacement> of(std::vector<GltfPlacement> placements) const;
 
   private:
     const tinygltf::Model& model_;
+    std::string path_;
     std::vector<bool> nodes_;  ///< whether a node is chosen; empty: all are
     std::vector<std::vector<bool>> primitives_;
 };

@@ -195,7 +195,8 @@ void weld_into(Mesh& mesh, const std::vector<Vec3d>& points, std::vector<std::ui
         mesh.triangles[t] = {welded.corners[3 * t], welded.corners[3 * t + 1],
                              welded.corners[3 * t + 2]};
     mesh.notes.merged_points = welded.merged;
-    mesh.notes.unreferenced_points = welded.unreferenced;
+    // Points of faces that were not chosen are not without a face.
+    mesh.notes.unreferenced_points = mesh.notes.unchosen_triangles == 0 ? welded.unreferenced : 0;
 }
 
 /// Number of triangles with a repeated point or an area of at most zero_area times the squared

@@ -60,6 +60,7 @@ Json to_json(const EditPreferences& preferences) {
     share("side", preferences.panes.side, usual.panes.side);
     share("atlas", preferences.panes.atlas, usual.panes.atlas);
     share("timeline", preferences.panes.timeline, usual.panes.timeline);
+    share("graph", preferences.panes.graph, usual.panes.graph);
     for (const std::string& name : preferences.favourites) json["favourites"][name] = true;
     if (preferences.welcomed) json["welcomed"] = true;
     for (const auto& [mesh, axis] : preferences.up_axes) json["up"][mesh] = axis;
@@ -72,6 +73,7 @@ EditPreferences preferences_from_json(const Json& json) {
     read_share(member(json, "panes"), "side", read.panes.side);
     read_share(member(json, "panes"), "atlas", read.panes.atlas);
     read_share(member(json, "panes"), "timeline", read.panes.timeline);
+    read_share(member(json, "panes"), "graph", read.panes.graph);
     for (const auto& [name, on] : member(json, "favourites").items())
         if (on == true) read.favourites.insert(name);
     read.welcomed = member(json, "welcomed") == true;

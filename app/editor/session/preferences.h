@@ -18,6 +18,7 @@ struct PaneShares {
     double atlas = 0.5;  ///< the atlas's share of the view that it has in common with the object
     /// The timeline's share of the window's height; 0: as high as its rows.
     double timeline = 0.0;
+    double graph = 0.5;  ///< the graph's share of the height that it has in common with the object
     bool operator==(const PaneShares&) const = default;
 };
 

@@ -32,7 +32,7 @@ GraphHooks EditorProgram::graph_hooks() {
 
 /// The graph's height, of the room that it shares with the object; 0: it is not shown.
 float EditorProgram::graph_height(float room) {
-    return graph_.shown ? std::clamp(graph_share_, 0.15f, 0.85f) * room : 0.0f;
+    return graph_.shown ? std::clamp(float(preferences_.panes.graph), 0.15f, 0.85f) * room : 0.0f;
 }
 
 void EditorProgram::graph_window(const ImVec2& low, const ImVec2& size) {
@@ -48,10 +48,11 @@ void EditorProgram::graph_window(const ImVec2& low, const ImVec2& size) {
         items_.note("graph border");
         if (ImGui::IsItemHovered() || ImGui::IsItemActive())
             ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-        const float room = size.y / std::max(graph_share_, 0.1f);
-        if (ImGui::IsItemActive() && room > 1.0f)
-            graph_share_ =
-                std::clamp(graph_share_ - ImGui::GetIO().MouseDelta.y / room, 0.15f, 0.85f);
+        const float moved = ImGui::GetIO().MouseDelta.y;
+        double& share = preferences_.panes.graph;
+        const double room = double(size.y) / std::max(share, 0.1);
+        if (ImGui::IsItemActive() && room > 1.0 && moved != 0.0f)
+            share = std::clamp(share - double(moved) / room, 0.15, 0.85);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

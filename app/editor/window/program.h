@@ -177,7 +177,6 @@ class EditorProgram {
     SidePanels side_;
     EditGraph graph_;
     std::optional<GlNodeGallery> node_gallery_;
-    float graph_share_ = 0.5f;  ///< of the height that the object and the graph share
 
     /// Scale of the user interface from the next frame on, and the one at the start.
     double scale_ = 1.0, normal_scale_ = 1.0;

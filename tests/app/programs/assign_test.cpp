@@ -57,5 +57,26 @@ TEST_F(TwoMaterials, TrianglesThatAreNotChosenAreALossOutsideOfTheirDocument) {
     EXPECT_EQ(bake("b.glb", "--material Metal --strict").exit_code, 0);
 }
 
+TEST_F(TwoMaterials, ShareTheirPointsOfWhichNoneIsLeftOut) {
+    const Outcome outcome = bake("a.glb", "--material Metal");
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err.find("no face uses"), std::string::npos) << outcome.err;
+}
+
+TEST_F(TwoMaterials, NoneThatIsNotThereIsOffered) {
+    const Outcome outcome = bake("a.glb", "--material 'Wod*'");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("there are: Wood old, Metal\n"));
+}
+
+TEST(ChosenNodes, ThatHoldNoMeshAreRefused) {
+    const Scratch scratch;
+    scratch.write("seen.gltf", kept_samples().at("cameras"));
+    const Outcome outcome = run_burl(scratch, "bake seen.gltf -o a.glb --node top",
+                                     fmt::format("cd '{}' &&", scratch.path().string()));
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("nothing in the scene is all that --mesh, --node and"));
+}
+
 }  // namespace
 }  // namespace burl::test

@@ -152,6 +152,16 @@ TEST_F(Batch, NothingIsBakedWhereAMeshOrAPoseIsMissingOrOfNoFormat) {
     }
 }
 
+TEST_F(Batch, APartWithoutABakeIsTold) {
+    const std::string one = R"({"bakes": [{"mesh": "square.obj", "size": 16, "output": "a.png"}]})";
+    const Outcome outcome = run(one, "--shard 1/4");
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.err.find("part 1/4 has no bake"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(scratch / "a.png"));
+    EXPECT_EQ(run(one, "--shard 4/4").err, "");
+    EXPECT_TRUE(fs::exists(scratch / "a.png"));
+}
+
 TEST_F(Batch, NothingIsBakedWhereAnEntryIsWrong) {
     const Outcome outcome = run(R"({"bakes": [
         {"mesh": "square.obj", "output": "a.png"},

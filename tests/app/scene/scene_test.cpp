@@ -258,6 +258,22 @@ TEST(Scene, UnknownFormatsAreUnsupported) {
     }
 }
 
+TEST(Scene, PlainMeshesWithoutColoursAreSaidToBeGrey) {
+    const ScratchFolder folder;
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+        "property float y\nproperty float z\n";
+    const std::string faces =
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    write_text(folder / "grey.ply", head + faces + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    EXPECT_THAT(load_scene(folder / "grey.ply").notes,
+                ElementsAre(HasSubstr("grey.ply: drawn grey: ")));
+    const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    write_text(folder / "red.ply",
+               head + colors + faces + "0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2\n");
+    EXPECT_TRUE(load_scene(folder / "red.ply").notes.empty());
+}
+
 /// The exporter's files, read back, are the mesh and texture again.
 TEST(Scene, EveryExportedFormatComesBack) {
     const ScratchFolder folder;

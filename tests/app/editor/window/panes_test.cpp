@@ -84,6 +84,22 @@ TEST_F(GlEditPanesTest, SplittersMoveGoBackAndAreKept) {
     EXPECT_EQ(width(*next, "object"), usual);
 }
 
+TEST_F(GlEditPanesTest, TheGraphsBorderIsKept) {
+    auto editor = open_kept();
+    play(*editor, R"({"click": "close first steps"}, {"wait": 3}, {"key": "N"}, {"wait": 3})");
+    const double usual = editor->items().find("graph border")->low.y;
+    play(*editor, R"({"drag": "graph border", "by": [0, -60]}, {"wait": 3})");
+    const double moved = editor->items().find("graph border")->low.y;
+    EXPECT_NEAR(moved, usual - 60.0, 8.0);
+    editor.reset();  // ImGui has one context at a time
+    const auto next = open_kept();
+    play(*next, R"({"wait": 30}, {"key": "N"}, {"wait": 3})");
+    EXPECT_NEAR(next->items().find("graph border")->low.y, moved, 1.0);
+    play(*next, R"({"click": "menu:View"}, {"wait": 3},
+                   {"click": "menu:Panels where they were at first"}, {"wait": 3})");
+    EXPECT_EQ(next->items().find("graph border")->low.y, usual);
+}
+
 TEST_F(GlEditPanesTest, TheLightThemeIsKept) {
     auto editor = open_kept();
     play(*editor, R"({"click": "close first steps"}, {"wait": 3})");
