@@ -33,6 +33,13 @@ bool is_folder(const std::string& path) {
     return fs::is_directory(path, unknown);
 }
 
+/// Returns the extension of a file name that is offered; ".burl.json" is one.
+std::string usual_extension(std::string_view name) {
+    constexpr std::string_view recipe = ".burl.json";
+    if (name.ends_with(recipe)) return std::string(recipe);
+    return fs::path(name).extension().string();
+}
+
 }  // namespace
 
 void FileDialog::open(Wish wish) {
@@ -126,7 +133,7 @@ void FileDialog::entries(EditItems& items) {
 std::string FileDialog::path() const {
     fs::path path = fs::path(folder_) / expanded_home(name_);
     if (wish_.saves && !path.has_extension() && !is_folder(path.string()))
-        path.replace_extension(fs::path(wish_.name).extension());
+        path += usual_extension(wish_.name);
     return path.string();
 }
 

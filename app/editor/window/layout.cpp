@@ -32,6 +32,10 @@ void EditorProgram::shortcuts() {
     if (ImGui::GetIO().WantTextInput) return;
     if (pressed("F12")) screenshot_due_ = true;
     if (commands_.asks() || graph_.searching()) return;
+    if (keys_open_ && pressed("Escape")) {
+        keys_open_ = false;
+        return;
+    }
     if (!requests_.looking_at().empty() && pressed("Escape")) return requests_.look("");
     if (graph_.shortcuts({session_, items_}, graph_hooks())) return;
     if (pressed("Ctrl+Q")) commands_.quit();

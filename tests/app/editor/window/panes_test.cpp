@@ -128,6 +128,16 @@ TEST_F(GlEditPanesTest, FirstStepsAreTickedAndNotShownAgain) {
     EXPECT_TRUE(next->items().find("close first steps"));
 }
 
+TEST_F(GlEditPanesTest, EscapeClosesTheListOfKeysAlone) {
+    const auto editor = open_kept();
+    play(*editor, R"({"resize": [1400, 1000]}, {"wait": 2}, {"key": "F1"}, {"wait": 3})");
+    EXPECT_TRUE(editor->items().find("close keys"));
+    play(*editor, R"({"key": "Ctrl+O"}, {"wait": 3}, {"key": "Escape"}, {"wait": 3})");
+    EXPECT_TRUE(editor->items().find("close keys")) << "the dialog takes the first";
+    play(*editor, R"({"key": "Escape"}, {"wait": 3})");
+    EXPECT_FALSE(editor->items().find("close keys"));
+}
+
 TEST_F(GlEditPanesTest, FavouritesAreStarredAndKept) {
     auto editor = open_kept();
     const Recipe before = editor->session().recipe();

@@ -24,6 +24,16 @@ TEST_F(GlEditSavingTest, WhatItSavesItselfIsNoNews) {
     EXPECT_TRUE(editor->session().history().changed());
 }
 
+TEST_F(GlEditSavingTest, ARecipesNameWithoutAnExtensionGetsTheUsualOne) {
+    save("marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, R"({"key": "Ctrl+Shift+S"}, {"wait": 2}, {"double_click": "file name"},
+        {"key": "Ctrl+A"}, {"type": ")" +
+                      (folder / "mine") + R"("}, {"wait": 2}, {"click": "file ok"}, {"wait": 2})");
+    EXPECT_EQ(editor->files().recipe(), folder / "mine.burl.json");
+    EXPECT_EQ(load_recipe(folder / "mine.burl.json"), editor->session().recipe());
+}
+
 constexpr const char* drag_amplitude = R"({"click": "tab:Parameters"}, {"wait": 2},
     {"drag": "texture.input.noise.0.amplitude", "by": [30, 0]}, {"settle": true})";
 
