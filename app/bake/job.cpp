@@ -327,6 +327,9 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     if (!lost.empty()) report["lost"] = lost;
     if (!result.lost.empty())
         warn(fmt::format("{}: {}", command_.out, losses_sentence(result.lost)));
+    const std::vector<std::string> left = left_of_earlier_bake(command_.out, result.committed);
+    if (!left.empty())
+        warn(fmt::format("{}: left of an earlier bake: {}", command_.out, names_together(left)));
     write_record(command_.out, made_from_, result.committed, report);
     return report;
 }

@@ -106,7 +106,7 @@ LevelsAsked levels_there_are(Pipeline& pipeline, const LevelsAsked& asked, Image
     const bool all = kind == ImageKind::rgb_float;
     warn(
         fmt::format("{}: MIP levels above {} of the {} atlas mix unrelated triangles and {}; "
-                    "use --atlas quad or patch for more",
+                    "use --atlas chart, patch or quad for more",
                     pipeline.mesh().name, last, to_string(atlas.atlas().options.kind),
                     all ? "are of little use" : "are left out"));
     return {all ? asked.count : last, asked.rule};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <system_error>
 
 #include "app/base/file_bytes.h"
@@ -57,6 +58,21 @@ bool has_its_digest(std::string_view text) {
                fmt::format("{}{}{}", digest_begin, sha256(text.substr(0, end)), digest_end);
 }
 
+/// The record of an output; none if it is missing or damaged.
+std::optional<Json> read_record(const std::string& out_path) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(record_path(out_path), ignored)) return std::nullopt;
+    try {
+        const auto bytes = read_file_bytes(record_path(out_path));
+        if (!has_its_digest({reinterpret_cast<const char*>(bytes.data()), bytes.size()}))
+            return std::nullopt;
+        return Json::parse(bytes);
+    } catch (const Error&) {
+    } catch (const Json::exception&) {
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::string place_of(const std::string& file, const std::string& out_path) {
@@ -80,21 +96,32 @@ Json content_of(std::span<const std::string> files, FileDigests& digests) {
 }
 
 std::optional<Json> report_if_up_to_date(const std::string& out_path, const Json& made_from) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(record_path(out_path), ignored)) return std::nullopt;
+    const std::optional<Json> record = read_record(out_path);
     try {
-        const auto bytes = read_file_bytes(record_path(out_path));
-        if (!has_its_digest({reinterpret_cast<const char*>(bytes.data()), bytes.size()}))
-            return std::nullopt;
-        const Json record = Json::parse(bytes);
-        if (record.at("made_from") != as_printed(made_from)) return std::nullopt;
-        for (const Json& output : record.at("outputs"))
+        if (!record || record->at("made_from") != as_printed(made_from)) return std::nullopt;
+        for (const Json& output : record->at("outputs"))
             if (!as_it_was(output, out_path)) return std::nullopt;
-        return record.at("report");
+        return record->at("report");
     } catch (const Error&) {
     } catch (const Json::exception&) {
     }
     return std::nullopt;
+}
+
+std::vector<std::string> left_of_earlier_bake(const std::string& out_path,
+                                              std::span<const CommittedFile> outputs) {
+    std::set<std::string> ours;
+    for (const CommittedFile& file : outputs) ours.insert(place_of(file.path, out_path));
+    const std::optional<Json> record = read_record(out_path);
+    std::vector<std::string> left;
+    try {
+        if (!record) return left;
+        for (const Json& output : record->at("outputs"))
+            if (!ours.contains(output.at("file")) && as_it_was(output, out_path))
+                left.push_back(output.at("file"));
+    } catch (const Json::exception&) {
+    }
+    return left;
 }
 
 void write_record(const std::string& out_path, const Json& made_from,

@@ -31,6 +31,12 @@ Json content_of(std::span<const std::string> files, FileDigests& digests);
 /// is missing or damaged (its digest differs).
 std::optional<Json> report_if_up_to_date(const std::string& out_path, const Json& made_from);
 
+/// The names of the files that the record of `out_path` tells of, that are as they were written,
+/// and that are not among `outputs`: they are left of an earlier bake and belong to another
+/// picture.
+std::vector<std::string> left_of_earlier_bake(const std::string& out_path,
+                                              std::span<const CommittedFile> outputs);
+
 /// Writes the record of `out_path`. `outputs` are the files as they were committed: another bake
 /// may have replaced them since. Throws Error(io).
 void write_record(const std::string& out_path, const Json& made_from,

@@ -138,6 +138,16 @@ void show_status(std::string_view line) {
     status.draw();
 }
 
+std::string names_together(std::span<const std::string> names) {
+    constexpr std::size_t most = 4;
+    const std::size_t count = std::min(names.size(), most);
+    std::string text = count > 0 ? names[0] : "";
+    for (std::size_t i = 1; i < count; ++i)
+        text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+    if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+    return text;
+}
+
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
     std::string_view nearest;
     std::size_t best = std::string_view::npos;

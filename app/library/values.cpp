@@ -34,6 +34,13 @@ std::string simd() {
 
 namespace {
 
+/// The sentence of an error about a setting without the command line's option.
+std::string without_option(const std::string& sentence) {
+    for (const std::string_view option : {"--set: ", "--set "})
+        if (sentence.starts_with(option)) return sentence.substr(option.size());
+    return sentence;
+}
+
 /// Throws burl::Error(usage) unless the value is within the bounds.
 void check_range(const char* name, double value, double low, double high) {
     if (value >= low && value <= high) return;
@@ -183,9 +190,14 @@ std::string Recipe::to_json() const {
 
 Recipe Recipe::set(const std::string& path, const std::string& value) const {
     return guarded([&] {
-        burl::Recipe recipe =
-            parse_recipe(burl::to_json(state_->recipe), state_->origin, {path + "=" + value});
-        return Recipe(std::make_shared<State>(std::move(recipe), state_->origin, state_->notes));
+        try {
+            burl::Recipe recipe =
+                parse_recipe(burl::to_json(state_->recipe), state_->origin, {path + "=" + value});
+            return Recipe(
+                std::make_shared<State>(std::move(recipe), state_->origin, state_->notes));
+        } catch (const burl::Error& error) {
+            throw burl::Error(error.code(), without_option(error.what()));
+        }
     });
 }
 

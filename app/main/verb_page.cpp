@@ -76,6 +76,9 @@ void run_page(const PageCommand& command) {
     print_line(fmt::format("{}: {} object{}",
                            (std::filesystem::path(command.folder) / "index.html").string(),
                            objects.size(), objects.size() == 1 ? "" : "s"));
+    const std::vector<std::string> left = left_of_older_page(command.folder, objects);
+    if (!left.empty())
+        warn(fmt::format("{}: not of this page: {}", command.folder, names_together(left)));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -168,6 +169,20 @@ std::vector<std::string> page_files(const std::string& folder,
     files.push_back("index.html");
     for (std::string& file : files) file = in_folder(folder, file);
     return files;
+}
+
+std::vector<std::string> left_of_older_page(const std::string& folder,
+                                            std::span<const PageObject> objects) {
+    std::set<std::string> left;
+    std::error_code failure;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(in_folder(folder, "objects"), failure))
+        left.insert("objects/" + entry.path().filename().string());
+    for (const PageObject& object : objects) {
+        left.erase(data_file(object));
+        if (object.picture) left.erase(picture_file(object));
+    }
+    return {left.begin(), left.end()};
 }
 
 void check_page_folder(const std::string& folder, std::span<const PageObject> objects) {

@@ -34,6 +34,10 @@ bool has_page_viewer();
 /// The paths of the page's files in the folder, index.html last.
 std::vector<std::string> page_files(const std::string& folder, std::span<const PageObject> objects);
 
+/// The files, sorted and seen from the folder, among its objects that no page of these objects has.
+std::vector<std::string> left_of_older_page(const std::string& folder,
+                                            std::span<const PageObject> objects);
+
 /// Throws Error(io) where the folder has an index.html that no `burl page` wrote, or none and
 /// files that a page of the objects would replace.
 void check_page_folder(const std::string& folder, std::span<const PageObject> objects);

@@ -7,7 +7,7 @@
 #SBATCH --cpus-per-task=2
 #SBATCH --output=burl-%A_%a.log
 set -eu
-if [ $# -eq 0 ]; then
+if [ $# -eq 0 ] || [ -z "${SLURM_ARRAY_TASK_COUNT:-}" ]; then
     echo "usage: sbatch --array=1-N burl-array.sh MANIFEST.json [options of burl batch]" >&2
     exit 1
 fi

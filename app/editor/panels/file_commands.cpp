@@ -1,4 +1,5 @@
 #include "app/editor/panels/file_commands.h"
+#include "app/base/messages.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -64,16 +64,6 @@ std::string claim_numbered(const std::string& stem, const std::string& extension
     }
 }
 
-std::string names_together(const std::vector<std::string>& names) {
-    constexpr std::size_t most = 4;
-    const std::size_t count = std::min(names.size(), most);
-    std::string text = count > 0 ? names[0] : "";
-    for (std::size_t i = 1; i < count; ++i)
-        text += (i + 1 == names.size() ? " and " : ", ") + names[i];
-    if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
-    return text;
-}
-
 std::string expanded_home(const std::string& path) {
     const char* home = std::getenv("HOME");
     const bool leads = path == "~" || path.starts_with("~/");

@@ -20,9 +20,6 @@ std::vector<FolderEntry> list_folder(const std::string& folder,
 /// Returns the last part of a path.
 std::string file_name(const std::string& path);
 
-/// Joins names as "a.mtl, a.obj and a.png"; of many only the first, and the number of the others.
-std::string names_together(const std::vector<std::string>& names);
-
 /// Creates an empty file "STEM-NNN.EXTENSION" in the working folder with the first free number from
 /// 001 on; concurrent programs get different files. Throws Error(io).
 std::string claim_numbered(const std::string& stem, const std::string& extension);

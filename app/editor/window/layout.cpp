@@ -59,11 +59,13 @@ void EditorProgram::shortcuts() {
 void EditorProgram::copy_recipe() {
     window_->set_clipboard(to_json(session_.recipe()));
     session_.tell("copied the recipe as JSON");
+    notices_.tell("copied the recipe as JSON");
 }
 
 void EditorProgram::copy_command() {
     window_->set_clipboard(commands_.command_line());
     session_.tell("copied the burl command");
+    notices_.tell("copied the burl command");
 }
 
 void EditorProgram::view_shortcuts() {

@@ -9,6 +9,7 @@
 #include "app/recipe/edit/controls.h"
 #include "app/recipe/edit/leaves.h"
 #include "app/recipe/edit/settings.h"
+#include "app/recipe/schema_check.h"
 #include "atlas/base/error.h"
 #include "atlas/base/json.h"
 
@@ -24,14 +25,23 @@ bool concerns(const std::string& path, const std::string& other) {
            (longer.size() == shorter.size() || longer[shorter.size()] == '.');
 }
 
+/// What a sentence about an edit adds where the path leads nowhere in a recipe that has controls.
+std::string hint_of_controls(const Json& before, const std::string& path) {
+    Json::json_pointer place;
+    for (const std::string_view part : split_path(path)) place /= std::string(part);
+    if (!before.contains("controls") || before.contains(place)) return "";
+    return fmt::format("; this recipe has no {}, and `burl show` lists its controls", path);
+}
+
 /// Throws Error(usage) for the recipe's first problem, naming the last edit that may have made it.
-void check_edited(const Json& recipe, const std::vector<ControlEdit>& edits) {
+void check_edited(const Json& before, const Json& recipe, const std::vector<ControlEdit>& edits) {
     const auto problem = find_problem(recipe);
     if (!problem) return;
     for (std::size_t i = edits.size(); i-- > 0;)
         if (concerns(problem->path, edits[i].path))
             throw Error(ExitCode::usage,
-                        fmt::format("--set {}: {}", edits[i].said, problem->sentence));
+                        fmt::format("--set {}: {}{}", edits[i].said, problem->sentence,
+                                    hint_of_controls(before, edits[i].path)));
     throw Error(ExitCode::usage, "--set: " + problem->sentence);
 }
 
@@ -69,10 +79,10 @@ void apply_settings(Json& recipe, const std::vector<std::string>& settings) {
         edits.push_back({setting, apply_setting(recipe, setting), "", true});
     }
     if (!named.empty()) {
-        check_edited(recipe, edits);
+        check_edited(before, recipe, edits);
         edits = apply_controls(recipe, named, edits);
     }
-    check_edited(recipe, edits);
+    check_edited(before, recipe, edits);
 }
 
 std::vector<std::string> with_arrays(const Json& recipe, const std::vector<std::string>& settings) {

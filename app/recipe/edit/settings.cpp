@@ -56,7 +56,8 @@ Error unknown_path(std::string_view path) {
                                     [end](std::string_view e) { return e.data() == end.data(); });
     const std::string hint =
         found == ends.end() || end.empty()
-            ? "`burl list parameters` names them all, and `burl show` a material's controls"
+            ? "`burl list parameters` names those of recipes, `burl list nodes` those of nodes, "
+              "and `burl show` a material's controls"
             : fmt::format("did you mean \"{}\"?", paths[std::size_t(found - ends.begin())]);
     return Error(ExitCode::usage,
                  fmt::format("--set: there is no parameter \"{}\"; {}", path, hint));

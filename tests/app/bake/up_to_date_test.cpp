@@ -293,6 +293,23 @@ TEST_F(UpToDateBake, FilesThatAnOutputNamesAreWhereItsMeshIs) {
     EXPECT_TRUE(bakes_from("b/s.gltf", "a/t.gltf", "--mesh bar"));
 }
 
+TEST_F(UpToDateBake, WhatAnEarlierBakeLeftBesideIsNamed) {
+    const auto told = [&](const std::string& options) {
+        const Outcome outcome =
+            run_burl(scratch, fmt::format("bake '{}' -o '{}' -s 8 {}", mesh, out, options));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.err;
+    };
+    const std::string left = "left of an earlier bake: ";
+    EXPECT_EQ(told("--recipe marble --levels all").find(left), std::string::npos);
+    EXPECT_EQ(told("--recipe wood --levels all").find(left), std::string::npos) << "the same files";
+    EXPECT_NE(told("--recipe wood --levels 1").find(left + "a.2.png and a.3.png\n"),
+              std::string::npos);
+    EXPECT_TRUE(fs::exists(scratch / "a.2.png")) << "named, not deleted";
+    scratch.write("a.1.png", "another's");
+    EXPECT_EQ(told("--recipe wood").find(left), std::string::npos) << "it is somebody else's";
+}
+
 TEST_F(UpToDateBake, TheRecordSaysWhatWentIn) {
     EXPECT_TRUE(bakes("--recipe wood"));
     const auto record = nlohmann::json::parse(slurp(record_path(out)));

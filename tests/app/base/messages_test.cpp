@@ -74,5 +74,14 @@ TEST(QuotedWords, OfMeshesAndTablesKeepTheirLetters) {
     }
 }
 
+TEST(Messages, ManyNamesAreCountedAfterTheFirst) {
+    const auto joined = [](const std::vector<std::string>& names) { return names_together(names); };
+    EXPECT_EQ(joined({}), "");
+    EXPECT_EQ(joined({"a"}), "a");
+    EXPECT_EQ(joined({"a", "b"}), "a and b");
+    EXPECT_EQ(joined({"a", "b", "c", "d"}), "a, b, c and d");
+    EXPECT_EQ(joined({"a", "b", "c", "d", "e", "f"}), "a, b, c, d and 2 more");
+}
+
 }  // namespace
 }  // namespace burl::test

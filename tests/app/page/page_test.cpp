@@ -97,6 +97,20 @@ TEST(PageObjects, NamesAreUnlikeAndFilesArePlain) {
     EXPECT_THROW(page_objects(std::vector<std::string>{"a.gltf"}), std::exception);
 }
 
+TEST(PageObjects, WhatAnOlderPageHadIsLeft) {
+    const Scratch scratch;
+    std::vector<PageObject> objects = page_objects(std::vector<std::string>{"gold.glb"});
+    EXPECT_TRUE(left_of_older_page(scratch / "page", objects).empty());
+    std::filesystem::create_directories(scratch / "page/objects");
+    for (const char* name : {"gold.js", "gold.webp", "oak.webp", "oak.js"})
+        scratch.write(std::string("page/objects/") + name, "");
+    const std::vector<std::string> oak{"objects/oak.js", "objects/oak.webp"};
+    std::vector<std::string> all = left_of_older_page(scratch / "page", objects);
+    EXPECT_EQ(all, (std::vector<std::string>{"objects/gold.webp", oak[0], oak[1]}));
+    objects[0].picture.emplace(2, 2);
+    EXPECT_EQ(left_of_older_page(scratch / "page", objects), oak);
+}
+
 TEST(Page, HoldsItsObjectsAndTheirPictures) {
     if (!has_page_viewer()) GTEST_SKIP() << "built without the viewer of pages";
     const Scratch scratch;
@@ -121,9 +135,11 @@ TEST(Page, HoldsItsObjectsAndTheirPictures) {
     EXPECT_EQ(test::slurp(scratch / "page/objects/b.webp").substr(8, 4), "WEBP");
     EXPECT_NE(test::slurp(scratch / "page/viewer.js").find("Three.js Authors"), std::string::npos)
         << "three.js without its licence";
-    EXPECT_EQ(test::run_burl(scratch, "page '" + a + "' -o '" + scratch / "page" + "'").exit_code,
-              0)
-        << "again";
+    const auto again = test::run_burl(scratch, "page '" + a + "' -o '" + scratch / "page" + "'");
+    EXPECT_EQ(again.exit_code, 0);
+    EXPECT_NE(again.err.find("not of this page: objects/a.webp, objects/b.js and objects/b.webp\n"),
+              std::string::npos)
+        << again.err;
 }
 
 TEST(Page, SaysWhatItCannotShowAndLeavesWhatIsThere) {

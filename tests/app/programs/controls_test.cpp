@@ -47,6 +47,19 @@ TEST_F(ControlledProgram, ShowTellsWhatARecipeIsAndItsJson) {
     EXPECT_THAT(burl("show marble").out, testing::Not(HasSubstr("control")));
 }
 
+TEST_F(ControlledProgram, APathThatARecipeWithControlsLacksPointsToThem) {
+    const auto set = [&](const std::string& setting) {
+        const Outcome outcome =
+            burl(fmt::format("bake sample:cube -s 8 -o a.png --recipe oak --set {}", setting));
+        EXPECT_EQ(outcome.exit_code, 1);
+        expect_one_sentence(outcome.err);
+        return outcome.err;
+    };
+    const std::string path = "texture.input.noise.0.seed", hint = "this recipe has no ";
+    EXPECT_THAT(set(path + "=7"), HasSubstr(hint + path + ", and `burl show` lists its controls"));
+    EXPECT_THAT(set("material.roughness=nonsense"), testing::Not(HasSubstr(hint)));
+}
+
 TEST_F(ControlledProgram, ShowRefusesWhatIsNoRecipe) {
     const Outcome unknown = burl("show oakk");
     EXPECT_EQ(unknown.exit_code, 1);

@@ -201,13 +201,6 @@ TEST(EditFiles, NumberedFilesReplaceNone) {
     EXPECT_THROW(claim_numbered("/nowhere/shot", ".png"), Error);
 }
 
-TEST(EditFiles, ManyNamesAreCountedAfterTheFirst) {
-    EXPECT_EQ(names_together({"a"}), "a");
-    EXPECT_EQ(names_together({"a", "b"}), "a and b");
-    EXPECT_EQ(names_together({"a", "b", "c", "d"}), "a, b, c and d");
-    EXPECT_EQ(names_together({"a", "b", "c", "d", "e", "f"}), "a, b, c, d and 2 more");
-}
-
 TEST(EditExport, WritesWhatABakeWrites) {
     const ScratchFolder folder;
     const Recipe recipe = load_recipe("wood", {"atlas.size=64", "atlas.tries=1"});
