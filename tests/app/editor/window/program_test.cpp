@@ -187,7 +187,7 @@ TEST_F(GlEditProgramTest, ADialogTakesWhatIsTyped) {
     const Recipe recipe = editor->session().recipe();
     play(*editor, R"({"key": "Ctrl+S"}, {"wait": 3}, {"type": ")" + (folder / "mine") +
                       R"("}, {"wait": 2}, {"key": "Enter"}, {"wait": 2})");
-    EXPECT_EQ(load_recipe(folder / "mine.json"), recipe);
+    EXPECT_EQ(load_recipe(folder / "mine.burl.json"), recipe);
     EXPECT_FALSE(editor->items().find("file name"));
     play(*editor, R"({"key": "Ctrl+O"}, {"wait": 3}, {"key": "Escape"}, {"wait": 2})");
     EXPECT_FALSE(editor->items().find("file name"));

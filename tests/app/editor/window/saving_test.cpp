@@ -24,16 +24,6 @@ TEST_F(GlEditSavingTest, WhatItSavesItselfIsNoNews) {
     EXPECT_TRUE(editor->session().history().changed());
 }
 
-TEST_F(GlEditSavingTest, ARecipesNameWithoutAnExtensionGetsTheUsualOne) {
-    save("marble");
-    const auto editor = open("sample:cube", folder / "r.json");
-    play(*editor, R"({"key": "Ctrl+Shift+S"}, {"wait": 2}, {"double_click": "file name"},
-        {"key": "Ctrl+A"}, {"type": ")" +
-                      (folder / "mine") + R"("}, {"wait": 2}, {"click": "file ok"}, {"wait": 2})");
-    EXPECT_EQ(editor->files().recipe(), folder / "mine.burl.json");
-    EXPECT_EQ(load_recipe(folder / "mine.burl.json"), editor->session().recipe());
-}
-
 constexpr const char* drag_amplitude = R"({"click": "tab:Parameters"}, {"wait": 2},
     {"drag": "texture.input.noise.0.amplitude", "by": [30, 0]}, {"settle": true})";
 
@@ -118,7 +108,7 @@ TEST_F(GlEditSavingTest, QuittingWaitsForTheNameToSaveBy) {
     play(*editor, R"({"click": "Save it"}, {"wait": 3}, {"type": ")" + (folder / "r") +
                       R"("}, {"wait": 2}, {"key": "Enter"}, {"wait": 3})");
     EXPECT_TRUE(editor->wants_to_close());
-    EXPECT_EQ(load_recipe(folder / "r.json"), editor->session().recipe());
+    EXPECT_EQ(load_recipe(folder / "r.burl.json"), editor->session().recipe());
 }
 
 TEST_F(GlEditSavingTest, AFileThatWasKeptFromIsNotWhatIsSaved) {
@@ -141,8 +131,8 @@ TEST_F(GlEditSavingTest, SavesUnderAnotherNameFromTheMenu) {
                       (folder / "other") + R"("}, {"wait": 2}, {"key": "Enter"},
         {"wait": 2})");
     EXPECT_EQ(text("r.json"), before);
-    EXPECT_EQ(load_recipe(folder / "other.json"), editor->session().recipe());
-    EXPECT_EQ(editor->files().recipe(), folder / "other.json");
+    EXPECT_EQ(load_recipe(folder / "other.burl.json"), editor->session().recipe());
+    EXPECT_EQ(editor->files().recipe(), folder / "other.burl.json");
 }
 
 }  // namespace
