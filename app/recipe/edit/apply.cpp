@@ -25,7 +25,7 @@ bool concerns(const std::string& path, const std::string& other) {
            (longer.size() == shorter.size() || longer[shorter.size()] == '.');
 }
 
-/// What a sentence about an edit adds where the path leads nowhere in a recipe that has controls.
+/// Returns the end of a sentence about an edit whose path leads nowhere in a recipe with controls.
 std::string hint_of_controls(const Json& before, const std::string& path) {
     Json::json_pointer place;
     for (const std::string_view part : split_path(path)) place /= std::string(part);
