@@ -178,10 +178,7 @@ std::vector<std::string> left_of_older_page(const std::string& folder,
     for (const auto& entry :
          std::filesystem::directory_iterator(in_folder(folder, "objects"), failure))
         left.insert("objects/" + entry.path().filename().string());
-    for (const PageObject& object : objects) {
-        left.erase(data_file(object));
-        if (object.picture) left.erase(picture_file(object));
-    }
+    for (const std::string& file : page_files("", objects)) left.erase(file);
     return {left.begin(), left.end()};
 }
 
