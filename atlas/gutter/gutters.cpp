@@ -6,18 +6,24 @@ namespace burl {
 namespace {
 
 constexpr std::uint32_t no_map = 0xffffffffu;
+/// Unfolded triangles that one filling keeps (96 bytes each): this many, and as many for each of
+/// its texels and edges. Scans of a million triangles need 5 for each; walks that lead round and
+/// round in shells far below a texel would need hundreds.
+constexpr std::size_t most_unfolded = 1 << 18, most_unfolded_each = 16;
+
 /// Fills the texels of gaps, row by row.
 class GutterFiller {
   public:
     GutterFiller(const ChartedMesh& mesh, const EdgeNeighbours& neighbours,
-                 std::span<const ChartEdge> edges, const TexelBox& box,
+                 std::span<const ChartEdge> edges, std::size_t texels, const TexelBox& box,
                  const GutterOptions& options)
         : mesh_(mesh),
           edges_(edges),
           box_(box),
           options_(options),
           unfolding_(mesh.triangles, mesh.positions, neighbours, options.at_open_edge,
-                     options.longest_walk),
+                     options.longest_walk,
+                     most_unfolded + most_unfolded_each * (texels + edges.size())),
           first_tile_(edges.size(), no_edge) {}
 
     /// Fills a gap; `nearest` are the numbers of its texels' edges.
@@ -109,7 +115,8 @@ Gutter fill_gutter(const ChartedMesh& mesh, const EdgeNeighbours& neighbours,
                    std::span<const ChartEdge> edges, std::span<const TexelGap> gaps,
                    std::span<const std::uint32_t> nearest, const TexelBox& box,
                    const GutterOptions& options) {
-    GutterFiller filler(mesh, neighbours, edges, box, options);
+    const auto near = nearest.size() - std::size_t(std::ranges::count(nearest, no_edge));
+    GutterFiller filler(mesh, neighbours, edges, near, box, options);
     std::size_t first = 0;
     for (const TexelGap& gap : gaps) {
         filler.fill(gap, nearest.subspan(first, gap.count));

@@ -9,7 +9,7 @@ namespace {
 
 /// Triangles after which a walk is given up that would not arrive within the longest one at this
 /// rate: among triangles that are nothing beside a texel each texel's would go on to the end.
-constexpr int early_triangles = 512;
+constexpr int early_triangles = 64;
 constexpr double early_share = double(early_triangles) / longest_walk;
 /// Sine of a triangle's angle, here or in the plane, below which it has no area to walk from.
 constexpr double least_sine = 1e-12;
@@ -96,6 +96,7 @@ UnfoldedTriangle Unfolding::unfolded(std::uint32_t tile) const {
 std::uint32_t Unfolding::beyond(std::uint32_t tile, bool left) {
     const std::uint32_t known = tiles_[tile].next[left];
     if (known != unknown) return known;
+    if (tiles_.size() >= most_) return closed;
     const std::uint32_t next = unfold(Tile(tiles_[tile]), left);
     return tiles_[tile].next[left] = next;
 }

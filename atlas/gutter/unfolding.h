@@ -7,6 +7,7 @@
 // takes the unfolded triangle's places to its points, so frames need no turning of their own.
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace burl {
 enum class AtOpenEdge { end, mirror };
 
 /// Triangles of one walk, where nothing else is said.
-inline constexpr int longest_walk = 1 << 14;
+inline constexpr int longest_walk = 1 << 10;
 
 /// A triangle that was walked into, and where its corners lie in the plane.
 struct UnfoldedTriangle {
@@ -34,18 +35,20 @@ struct Walk {
     bool arrived = true;     ///< whether it was all of the way; else an edge ended it
 };
 
-/// The triangles that walks met, unfolded; each is unfolded once. The triangles, points and
-/// neighbours must outlive it.
+/// The triangles that walks met, unfolded; each is unfolded once. Once there are `most`, walks end
+/// where they would need another. The triangles, points and neighbours must outlive it.
 class Unfolding {
   public:
     Unfolding(std::span<const Triangle> triangles, std::span<const Vec3d> positions,
               const EdgeNeighbours& neighbours, AtOpenEdge at_open_edge = AtOpenEdge::end,
-              int longest = longest_walk)
+              int longest = longest_walk,
+              std::size_t most = std::numeric_limits<std::size_t>::max())
         : triangles_(triangles),
           positions_(positions),
           neighbours_(neighbours),
           at_open_edge_(at_open_edge),
-          longest_(longest) {}
+          longest_(longest),
+          most_(most) {}
 
     /// Makes a triangle walkable from: `places` are its corners in the plane, either way round;
     /// walks will leave it by its edge 3t+k. Returns its tile. If the triangle has no area here or
@@ -88,6 +91,7 @@ class Unfolding {
     const EdgeNeighbours& neighbours_;
     AtOpenEdge at_open_edge_;
     int longest_;
+    std::size_t most_;
     std::vector<Tile> tiles_;
     std::vector<Start> starts_;
 };

@@ -247,14 +247,34 @@ TEST(Unfolding, WalksThatDoNotGetOnAreGivenUp) {
     const Mesh mesh =
         made::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}});
     const EdgeNeighbours neighbours(mesh.triangles, mesh.positions);
-    for (const double side : {0.05, 1e-3, 1e-8}) {
+    for (const double side : {0.4, 1e-3, 1e-8}) {
         Unfolding unfolding(mesh.triangles, mesh.positions, neighbours, AtOpenEdge::mirror);
         const std::uint32_t first = unfolding.begin(1, {{{0, 0}, {side, 0}, {0, side}}});
         const Walk walk = unfolding.walk(first, {0.5 * side, 0.5 * side}, {100.0, 40.0});
-        EXPECT_EQ(walk.arrived, side == 0.05) << side;  // by way of more than 2000 squares
-        EXPECT_LT(walk.share, side == 0.05 ? 1.5 : 0.2) << side;
-        EXPECT_EQ(unfolding.size() > 600, side == 0.05) << side;
+        EXPECT_EQ(walk.arrived, side == 0.4) << side;  // by way of 350 squares
+        EXPECT_LT(walk.share, side == 0.4 ? 1.5 : 0.2) << side;
+        EXPECT_EQ(unfolding.size() > 100, side == 0.4) << side;
     }
+}
+
+TEST(Unfolding, KeepsNoMoreTrianglesThanItIsTold) {
+    const std::uint32_t columns = 24, rows = 20;
+    const Mesh mesh = made::tube(columns, rows, 6.0);
+    const EdgeNeighbours neighbours(mesh.triangles, mesh.positions);
+    const std::uint32_t edge = 3 * (48 * 8);
+    const auto places = unrolled(mesh, edge / 3, columns, 6.0, rows);
+    const Vec2d a = places[0], b = places[1];
+    const Vec2d from = glm::mix(a, b, 0.5), out = glm::normalize(Vec2d(b.y - a.y, a.x - b.x));
+    Unfolding unfolding(mesh.triangles, mesh.positions, neighbours, AtOpenEdge::end, longest_walk,
+                        6);
+    const std::uint32_t first = unfolding.begin(edge, places);
+    const Walk walk = unfolding.walk(first, from, from + 1.9 * out);
+    EXPECT_FALSE(walk.arrived);
+    EXPECT_EQ(unfolding.size(), 6u);
+    // What is unfolded can still be walked over.
+    const Walk half = unfolding.walk(first, from, from + 0.9 * walk.share * 1.9 * out);
+    EXPECT_TRUE(half.arrived);
+    EXPECT_EQ(unfolding.size(), 6u);
 }
 
 TEST(Unfolding, EdgesOfThreeTrianglesEndWalks) {
