@@ -88,6 +88,11 @@ struct BakeResult {
     double writing = 0.0;             ///< seconds spent on files rather than on stages
 };
 
+/// What viewers make of a glTF's pictures of 16 bits.
+inline constexpr const char* deep_gltf_loss =
+    "viewers cut 16 bits to 8, and those that do not, such as VTK's, show them too light, since "
+    "OpenGL has no 16-bit sRGB";
+
 /// Sentences on what texture coordinates cannot show.
 std::vector<std::string> uv_losses(const Mesh& mesh, const LayoutNotes& notes);
 

@@ -134,11 +134,8 @@ bool BakeJob::needs_host() const {
 /// Warns of 16 bits in a glTF.
 void BakeJob::warn_of_depth() const {
     if (plan_.depth != 16 || !is_gltf(command_.out) || command_.vertex_colors) return;
-    warn(
-        fmt::format("{}: viewers cut 16 bits to 8, and those that do not, such as VTK's, show "
-                    "them too light, since OpenGL has no 16-bit sRGB; leave --depth 16 out unless "
-                    "the file goes elsewhere",
-                    command_.out));
+    warn(fmt::format("{}: {}; leave --depth 16 out unless the file goes elsewhere", command_.out,
+                     deep_gltf_loss));
 }
 
 /// Warns of triangles that strips cannot hold.

@@ -87,7 +87,7 @@ std::vector<std::string> BakeJob::losses_before(const Mesh& mesh) const {
     if (keeps_lines(command_.mesh, command_.out) && !plan_.displaces) return {};
     const bool keeps_uvs = recipe().atlas.kind == AtlasKind::uv && holds_colors(command_.out);
     std::vector<std::string> losses = losses_of_flat(command_.mesh, mesh, command_.out, keeps_uvs);
-    if (!holds_colors(command_.out)) losses.emplace_back("colours, of which an .stl has none");
+    if (!holds_colors(command_.out)) losses.emplace_back(stl_loss);
     if (plan_.vertex_colors)
         std::ranges::move(lost_with_vertex_colors(recipe()), std::back_inserter(losses));
     if (!losses.empty() && command_.strict)

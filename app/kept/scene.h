@@ -55,6 +55,9 @@ bool keeps_lines(const std::string& mesh_path, const std::string& out_path);
 std::vector<std::string> losses_of_flat(const std::string& mesh_path, const Mesh& mesh,
                                         const std::string& out_path, bool keeps_uvs);
 
+/// What an .stl does not hold of any bake.
+inline constexpr const char* stl_loss = "colours, of which an .stl has none";
+
 /// One sentence that names losses.
 std::string losses_sentence(const std::vector<std::string>& losses);
 

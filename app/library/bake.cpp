@@ -12,6 +12,7 @@
 #include "app/bake/expected_tasks.h"
 #include "app/bake/shared_pictures.h"
 #include "app/bake/tiles.h"
+#include "app/export/command_files.h"
 #include "app/library/guard.h"
 #include "app/library/reported.h"
 #include "app/library/states.h"
@@ -278,6 +279,10 @@ Baked bake(const Mesh& mesh, const Recipe& recipe, const BakeOptions& options) {
             pipeline.set_recipe(asked_recipe(recipe, options));
             check_lattice(pipeline.recipe(), pipeline.mesh());
             Baking(pipeline, options, *result).run(stop, course);
+            result->mesh_path = mesh.state().path;
+            result->mesh_losses = mesh.state().losses;
+            result->recipe_files = files_of_recipe(recipe.state().origin, pipeline.recipe());
+            result->in_no_picture = numbers_in_no_picture(pipeline.recipe(), result->packing);
         });
     };
     guarded([&] {

@@ -105,9 +105,11 @@ BURL_API Baked bake(const Mesh& mesh, const Recipe& recipe, const BakeOptions& o
 
 /// Writes the mesh with its images, or the images alone, by the path's extension: .glb, .gltf,
 /// .obj, .mtlx, .ply, .stl, .png, .jpg, .webp, .ktx2, or .exr for a bake with depth 32. All files
-/// are written or none is. The bytes are those of `burl bake` with the same options. glTF needs
-/// the packing "gltf". Returns sentences on what the format cannot hold. Throws Error: usage for an
-/// extension that does not fit, io when a write fails.
+/// are written or none is. The bytes are those of `burl bake` with the same options, but that it
+/// keeps a glTF's document and an OBJ's polygons and materials, and this function the mesh alone.
+/// glTF needs the packing "gltf". Returns sentences on what of the mesh's file and of the material
+/// the output does not hold. Throws Error: usage for an extension that does not fit, io when a
+/// write fails and for a file that the mesh or the recipe was read from, which stays as it is.
 BURL_API std::vector<std::string> write(const Baked& baked, const std::string& path);
 
 }  // namespace burl::library

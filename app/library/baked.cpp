@@ -1,15 +1,21 @@
 // The results of a bake as views, and their files.
 #include <algorithm>
+#include <iterator>
+#include <span>
 #include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "app/bake/bake.h"
 #include "app/bake/texture.h"
+#include "app/export/command_files.h"
 #include "app/export/formats.h"
 #include "app/image/exr_layers.h"
+#include "app/kept/scene.h"
 #include "app/library/guard.h"
 #include "app/library/states.h"
+#include "atlas/file/file_extension.h"
 
 namespace burl::library {
 
@@ -113,6 +119,39 @@ std::vector<AtomicFile> files_of(const Baked::State& baked, const std::string& p
     return files;
 }
 
+/// Throws burl::Error(io) where a file would replace one that the mesh or the recipe was read from.
+void check_files(const Baked::State& baked, std::span<const AtomicFile> files) {
+    FileNames read;
+    for (const std::string& file : files_of_mesh(baked.mesh_path)) read.add(file);
+    for (const std::string& file : baked.recipe_files) read.add(file);
+    for (const AtomicFile& file : files)
+        if (read.find(file.target()))
+            throw burl::Error(
+                ExitCode::io,
+                fmt::format("{}: the mesh or the recipe was read from that file; give the output "
+                            "another name",
+                            file.target()));
+}
+
+/// Sentences on what the file of that name cannot hold of the mesh, its document and the material.
+std::vector<std::string> losses_of(const Baked::State& baked, const std::string& path) {
+    std::vector<std::string> sentences;
+    if (!holds_mesh(path)) {
+        if (!baked.in_no_picture.empty())
+            sentences.push_back("no picture holds what is the same everywhere: " +
+                                baked.in_no_picture);
+        return sentences;
+    }
+    std::vector<std::string> lost = baked.mesh_losses;
+    const bool keeps_uvs = baked.atlas.options.kind == AtlasKind::uv && holds_colors(path);
+    if (!baked.mesh_path.empty() && !has_gltf_extension(baked.mesh_path))
+        lost = losses_of_flat(baked.mesh_path, baked.mesh, path, keeps_uvs);
+    if (!holds_colors(path)) lost.emplace_back(stl_loss);
+    if (!lost.empty()) sentences.push_back(losses_sentence(lost));
+    if (baked.depth == 16 && is_gltf(path)) sentences.emplace_back(deep_gltf_loss);
+    return sentences;
+}
+
 }  // namespace
 
 void add_views(Baked::State& state) {
@@ -183,6 +222,8 @@ std::vector<std::string> write(const Baked& baked, const std::string& path) {
         check_format(baked.state(), path);
         std::vector<std::string> lost;
         std::vector<AtomicFile> files = files_of(baked.state(), path, lost);
+        check_files(baked.state(), files);
+        std::ranges::move(losses_of(baked.state(), path), std::back_inserter(lost));
         commit_together(files);
         return lost;
     });

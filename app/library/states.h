@@ -23,6 +23,8 @@ std::span<const Number> numbers_of(const std::vector<Row>& rows) {
 
 struct Mesh::State {
     burl::Mesh mesh;
+    std::string path;                 ///< its file, or the sample's name; empty: made of arrays
+    std::vector<std::string> losses;  ///< what of a glTF's document the mesh alone does not hold
 };
 
 struct Recipe::State {
@@ -59,6 +61,10 @@ struct Baked::State {
     std::vector<NamedViews> views{};  ///< of all of these
     std::vector<std::pair<std::string, double>> factors{};
     std::vector<std::string> notes{};
+    std::string mesh_path;                    ///< as of Mesh::State
+    std::vector<std::string> mesh_losses{};   ///< as of Mesh::State
+    std::vector<std::string> recipe_files{};  ///< the recipe's own file and its images
+    std::string in_no_picture;                ///< numbers that no picture holds
 };
 
 /// Fills in the views of all images.

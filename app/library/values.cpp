@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/base/version.h"
+#include "app/kept/scene.h"
 #include "app/library/guard.h"
 #include "app/library/reported.h"
 #include "app/library/states.h"
@@ -14,6 +15,7 @@
 #include "app/recipe/presets.h"
 #include "app/surface/mesh_frame.h"
 #include "app/surface/sample_meshes.h"
+#include "atlas/file/file_extension.h"
 #include "atlas/mesh/mesh_builder.h"
 #include "procedural/numbers/simd_target.h"
 
@@ -97,7 +99,7 @@ PolygonSoup soup_of(std::span<const double> positions, std::span<const std::uint
     return soup;
 }
 
-burl::Mesh read(const std::string& path, const MeshReading& reading, const std::stop_token& stop) {
+Mesh::State read(const std::string& path, const MeshReading& reading, const std::stop_token& stop) {
     check_range("weld", reading.weld, 0.0, 0.1);
     check_range("scale", reading.scale, 1e-9, 1e9);
     check_range("uv_set", reading.uv_set, 0, 15);
@@ -107,8 +109,12 @@ burl::Mesh read(const std::string& path, const MeshReading& reading, const std::
     MeshFrame frame;
     frame.up = reading.up;
     frame.scale = reading.scale;
-    return framed(
-        is_sample_mesh(path) ? sample_mesh(path, options) : read_mesh(path, options, stop), frame);
+    const bool is_sample = is_sample_mesh(path);
+    burl::Mesh mesh =
+        framed(is_sample ? sample_mesh(path, options) : read_mesh(path, options, stop), frame);
+    std::vector<std::string> losses;
+    if (!is_sample && has_gltf_extension(path)) losses = losses_of_flat(path, mesh, "", false);
+    return {std::move(mesh), path, std::move(losses)};
 }
 
 std::shared_ptr<const Recipe::State> state_of(const RecipeText& text) {
@@ -133,7 +139,8 @@ Mesh Mesh::read(const std::string& path, const MeshReading& reading) {
 Mesh::Mesh(std::span<const double> positions, std::span<const std::uint32_t> triangles,
            std::span<const double> uvs, const std::string& name) {
     state_ = guarded([&] {
-        return std::make_shared<State>(build_mesh(soup_of(positions, triangles, uvs), name));
+        return std::make_shared<State>(
+            State{build_mesh(soup_of(positions, triangles, uvs), name), {}, {}});
     });
 }
 

@@ -98,7 +98,10 @@ class Baked:
     def is_srgb(self, name: str) -> bool:
         """Whether red, green and blue are sRGB codes; otherwise numbers are linear."""
     def write(self, path: str) -> List[str]:
-        """Writes the files of `burl bake`; returns what the format cannot hold."""
+        """Writes the mesh, or its images; returns sentences on what is not kept.
+
+        A glTF's rig, nodes and other materials are not: `burl bake` keeps them. A file that the
+        mesh or the recipe was read from is not replaced."""
 
 class Evaluated(NamedTuple):
     """A texture at n points."""

@@ -19,44 +19,9 @@
 #include "burl/evaluate.h"
 #include "burl/metrics.h"
 #include "burl/version.h"
+#include "tests/library/library_folder.h"
 
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder of its own for a test.
-fs::path folder() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    const fs::path path = fs::path(BURL_TEST_FOLDER) / test->name();
-    fs::remove_all(path);
-    fs::create_directories(path);
-    return path;
-}
-
-std::string bytes_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Runs the program; its output must be `bake`'s.
-void run_burl(const std::string& words) {
-    const std::string command = std::string(BURL_PROGRAM) + " " + words + " --quiet >/dev/null";
-    ASSERT_EQ(std::system(command.c_str()), 0) << command;
-}
-
-/// The kind of the error that `work` throws, and its sentence.
-template <class Work>
-std::pair<burl::ErrorKind, std::string> error_of(Work&& work) {
-    try {
-        work();
-    } catch (const burl::Error& error) {
-        return {error.kind(), error.what()};
-    }
-    return {burl::ErrorKind::runtime, "nothing was thrown"};
-}
-
-const std::vector<double> tetrahedron{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-const std::vector<std::uint32_t> faces{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
 
 TEST(Library, WritesTheProgramsBytes) {
     const fs::path path = folder();
