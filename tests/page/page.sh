@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes a page of two objects, uses it in a headless Chromium (use_page.mjs), and holds what it shows to `burl render`:
+# Makes a page of two objects, and one of two materials, uses them in a headless Chromium (use_page.mjs, use_materials.mjs), and holds what it shows to `burl render`:
 #   page.sh SCRATCH BURL
 # Exit 77 (skipped) where Chromium or Node is not installed, or burl was built without the viewer of pages.
 set -euo pipefail
@@ -20,6 +20,9 @@ for material in oak gold; do "$burl" bake sample:bust -o $material.glb --recipe 
 }
 mv page elsewhere # nothing of it names where it was made
 node "$here/use_page.mjs" "$chromium" elsewhere pictures
+"$burl" bake "$here/pair.gltf" -o pair.glb --assign a=oak --assign b=gold --atlas-per recipe --size 64 --quiet
+"$burl" page pair.glb -o pair >/dev/null
+node "$here/use_materials.mjs" "$chromium" pair
 
 size=$(cat pictures/size) bad=0
 "$burl" render gold.glb -o studio.png --light studio --size "$size"

@@ -11,7 +11,7 @@ import style from './page.css';
 
 const contents = JSON.parse(document.getElementById('burl-contents').textContent);
 const root = document.documentElement;
-let state = stateOf(location.hash), drawn = {}, channels = [], material = 0, asked = false, lastTime = 0, opening = '', telling = 0, told = '';
+let state = stateOf(location.hash), drawn = {}, channels = [], asked = false, lastTime = 0, opening = '', telling = 0, told = '';
 
 document.head.append(element('style', {}, style));
 const controls = new Controls(contents, ask);
@@ -47,7 +47,8 @@ function tell() {
 
 // Takes what a visitor asked for into the state.
 function ask(changes) {
-    state = {...state, ...changes};
+    const other = changes.asset !== undefined && changes.asset !== state.asset;
+    state = {...state, ...(other ? {material: 0} : {}), ...changes};
     clearTimeout(telling);
     telling = setTimeout(tell, 200); // browsers refuse more of them while somebody drags
     follow();
@@ -96,7 +97,6 @@ async function open(asset) {
         controls.save.download = `${asset.name}.glb`;
         channels = channelsOf(object.materials);
         controls.facts.textContent = factsOf(asset);
-        material = 0;
         atlas.reset();
         drawn = {asset: asset.name};
         controls.say('');
@@ -132,7 +132,8 @@ async function follow() {
     if (differs('channel')) object.setChannel(channel());
     if (differs('lines')) object.setLines(state.lines);
     if (differs('level')) holdLevel();
-    const inAtlas = shownMaterials()[material % Math.max(shownMaterials().length, 1)];
+    state.material %= Math.max(shownMaterials().length, 1);
+    const inAtlas = shownMaterials()[state.material];
     if (differs('channel', 'level') || drawn.inAtlas !== inAtlas) atlas.show(object, inAtlas, channel(), state.level);
     if (differs('channel', 'lines') || drawn.inAtlas !== inAtlas) atlas.setLines(object, inAtlas, channel(), state.lines);
     drawn = {...state, inAtlas};
@@ -216,7 +217,7 @@ const cycles = {
     w: (by) => cycle('lines', ['none', 'charts', 'triangles'], by),
     b: (by) => cycle('behind', ['grey', 'light'], by),
     n: (by) => cycle('asset', contents.assets.map(({name}) => name), by),
-    m: (by) => { material += by + shownMaterials().length; follow(); },
+    m: (by) => ask({material: state.material + by + shownMaterials().length}),
     g: () => contents.assets.length > 1 && ask({asset: ''}),
 };
 

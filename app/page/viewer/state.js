@@ -2,7 +2,7 @@
 
 export const start = {
     asset: '', light: 'studio', turn: 0, channel: 'material', level: 'auto', show: 'object', lines: 'none', behind: 'grey',
-    view: [30, 20, 3.5],
+    view: [30, 20, 3.5], material: 0,
 };
 
 const words = {show: ['object', 'both', 'atlas'], lines: ['none', 'charts', 'triangles'], behind: ['grey', 'light']};
@@ -28,6 +28,7 @@ export function stateOf(hash) {
         const level = numberIn(given.get('level'), 0, 16, -1);
         state.level = level < 0 ? 'auto' : Math.round(level);
     }
+    if (given.has('material')) state.material = Math.round(numberIn(given.get('material'), 0, 9999, 0));
     if (given.has('view')) state.view = viewOf(given.get('view'));
     return state;
 }
