@@ -87,6 +87,11 @@ def input_of(node, name):
     return node.inputs[name if name in node.inputs else LATER_NAMES[name]]
 
 
+def is_tint(value):
+    """Whether a Specular Tint does something: a number since Blender 2.8, a colour from 4.0 on."""
+    return value > 0 if isinstance(value, (int, float)) else any(x != 1 for x in tuple(value)[:3])
+
+
 class Translator:
     """The nodes of a material as a recipe for one object. What cannot be translated is collected in `problems`, with its path."""
 
@@ -265,7 +270,7 @@ class Translator:
         if material["transmission"] and "Transmission Roughness" in node.inputs:
             self.leave_out(node, ("Transmission Roughness",))
         for name in ("Clearcoat Normal", "Tangent", "Specular Tint", "IOR"):
-            if name in node.inputs and self.link_of(node.inputs[name]):
+            if name in node.inputs and (self.link_of(node.inputs[name]) or name == "Specular Tint" and is_tint(node.inputs[name].default_value)):
                 self.notes.append(f"{name} is left out")
         return self.bump(stack, node, node.inputs["Normal"])
 
@@ -845,10 +850,20 @@ def new_vertex(body, face, point):
 # ---------------------------------------------------------------- materials
 
 
+def free_path(folder, name):
+    """The path of a new file in the folder: of that name, or with -2, -3 and so on before its extension."""
+    stem, extension = os.path.splitext(name)
+    path, number = os.path.join(folder, name), 1
+    while os.path.lexists(path):
+        number += 1
+        path = os.path.join(folder, f"{stem}-{number}{extension}")
+    return path
+
+
 def picture(path, name, color, save_beside):
-    """An image of the .blend from a file of the bake: packed, or saved beside the .blend."""
+    """An image of the .blend from a file of the bake: packed, or saved beside the .blend, where no file is replaced."""
     if save_beside:
-        target = os.path.join(bpy.path.abspath("//"), os.path.basename(path))
+        target = free_path(bpy.path.abspath("//"), os.path.basename(path))
         shutil.copyfile(path, target)
         image = bpy.data.images.load(target)
         image.filepath = bpy.path.relpath(target)

@@ -4,7 +4,9 @@
 # texture coordinates: RMS of at most 2 of 255 in every channel, over the texels that Cycles covers. Prints a row of a table for
 # each: RMS of red, green and blue, and the seconds of Burl and of Cycles. At less than 512 texels Cycles's bumps, which are
 # differences over a texel, are farther from ours than is allowed here. SHEET.png gets the 20 pictures side by side, ours above.
+import os
 import sys
+import tempfile
 import time
 
 import bpy
@@ -352,9 +354,33 @@ def check_notes():
     t.set(t.own.get_output_node("CYCLES").inputs["Volume"], t.node("VolumeAbsorption").outputs[0])
     told = notes_of(t)
     assert told == ["Volume is left out", "Transmission Roughness is left out", "IOR is left out"], told
+    t = Tree("tinted")
+    t.set(t.surface.inputs["Specular Tint"], 0.8)
+    assert notes_of(t) == ["Specular Tint is left out"], notes_of(t)
     t = Tree("clay")
     t.set(t.own.get_output_node("CYCLES").inputs["Surface"], t.node("BsdfDiffuse", {"Roughness": 1.0}).outputs[0])
     assert notes_of(t) == ["Roughness is left out"], notes_of(t)
+
+
+def check_files():
+    """Pictures beside the .blend replace no file, and two meshes of one clean name keep theirs apart."""
+    with tempfile.TemporaryDirectory() as folder:
+        bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, "a.blend"))
+        settings = bpy.context.scene.burl
+        settings.material, settings.pictures, settings.size = "oak", "FILES", 64
+        thing = suzanne()
+        assert bpy.ops.burl.carve() == {"FINISHED"}
+        first = bpy.path.abspath(image_of(thing, "base_color").filepath)
+        with open(first, "rb") as file:
+            before = file.read()
+        settings.controls["roughness"].number = 0.8
+        assert bpy.ops.burl.carve() == {"FINISHED"}
+        second = bpy.path.abspath(image_of(thing, "base_color").filepath)
+        with open(first, "rb") as file:
+            assert file.read() == before, f"{first} was replaced"
+        assert second != first and os.path.exists(second), second
+        assert {f for f in os.listdir(folder) if f.endswith("-2.png")}, os.listdir(folder)
+        settings.pictures = "PACK"
 
 
 def check_clear_and_bright():
@@ -547,6 +573,8 @@ def main():
     scene.burl.size = side
     check_clear_and_bright()
     check_bumps()
+    check_files()
+    scene.burl.size = side
     seconds, polygons = unwrapped_by_blender()
     print(f"unwrapping by Smart UV Project, which Cycles needs: {seconds:.2f} s for {polygons} polygons")
     bad, pairs = [], []
