@@ -26,6 +26,15 @@ Error::Error(ErrorKind kind, const std::string& sentence)
 
 Error::~Error() = default;
 
+std::string without_dashes(std::string sentence) {
+    const auto is_letter = [&](std::size_t at) {
+        return at < sentence.size() && sentence[at] >= 'a' && sentence[at] <= 'z';
+    };
+    for (std::size_t at = 0; (at = sentence.find("--", at)) != std::string::npos; ++at)
+        if ((at == 0 || sentence[at - 1] == ' ') && is_letter(at + 2)) sentence.erase(at, 2);
+    return sentence;
+}
+
 std::string version() {
     return burl_version();
 }

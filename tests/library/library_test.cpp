@@ -171,6 +171,11 @@ TEST(Library, RefusesOptionsInASentence) {
               "atlas 'quads': must be one of uniform, area, length, quad, patch, chart, uv");
     EXPECT_EQ(refused([](Options& o) { o.size = 99999; }).first, burl::ErrorKind::usage);
     EXPECT_EQ(refused([](Options& o) { o.atlas = "uv"; }).first, burl::ErrorKind::usage);
+    // Options of the command line go by the library's names.
+    EXPECT_NE(refused([](Options& o) { o.atlas = "uv"; }).second.find("use atlas chart"),
+              std::string::npos);
+    EXPECT_EQ(error_of([] { burl::Mesh::read("sample:cube", {.up = "w"}); }).second.find("up w: "),
+              0u);
     EXPECT_NE(refused([](Options& o) { o.masks = {"fog"}; }).second.find("no mask 'fog'"),
               std::string::npos);
     EXPECT_EQ(error_of([] { burl::Recipe::load("no-such-wood"); }).first, burl::ErrorKind::usage);
