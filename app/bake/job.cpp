@@ -210,7 +210,7 @@ void BakeJob::check_idle() const {
     const bool mesh = holds_mesh(command_.out), normals = has_normals();
     const bool pictures = normals || !command_.channels.empty();
     if (command_.depth.value_or(32) != 32 && plan_.kind == ImageKind::rgb_float && !pictures)
-        refuse("--depth", "an .exr always has floats");
+        refuse("--depth", "an .exr has half floats, or full ones with --depth 32");
     if (command_.normal_y == "-" && !normals) refuse("--normal-y", "there is no normal map");
     if (command_.normal_y == "-" && plan_.normals == NormalSpace::object)
         refuse("--normal-y -", "normals in object space have the mesh's own axes");

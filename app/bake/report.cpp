@@ -104,8 +104,9 @@ Json normals_json(Pipeline& pipeline, const NormalMap& map, double crease_degree
 }
 
 void print_summary(const Json& report, const std::vector<std::string>& paths) {
-    if (report.contains("up_to_date"))
-        return print_line(fmt::format("{}: up to date", paths.front()));
+    const std::string all =
+        paths.size() > 1 ? paths.front() + " to " + paths.back() : paths.front();
+    if (report.contains("up_to_date")) return print_line(fmt::format("{}: up to date", all));
     if (report.contains("vertex_colors"))
         return print_line(fmt::format("{}: {} triangles, colours of {} points, {:.2f} s",
                                       paths.front(),
@@ -113,12 +114,10 @@ void print_summary(const Json& report, const std::vector<std::string>& paths) {
                                       report["vertex_colors"].get<std::uint64_t>(),
                                       report["seconds"]["total"].get<double>()));
     const Json& atlas = report["atlas"];
-    std::string name = paths.front();
-    if (paths.size() > 1) name += " to " + paths.back();
     const std::size_t others = report.contains("others") ? report["others"].size() : 0;
     print_line(fmt::format(
         "{}: {} triangles, {} atlas {} x {}, coverage {:.1f} %, relative scale {:.2f}, {:.2f} s{}",
-        name, report["mesh"]["triangles"].get<std::uint64_t>(), atlas["kind"].get<std::string>(),
+        all, report["mesh"]["triangles"].get<std::uint64_t>(), atlas["kind"].get<std::string>(),
         atlas["width"].get<int>(), atlas["height"].get<int>(),
         100.0 * atlas["coverage"].get<double>(), atlas["relative_scale"].get<double>(),
         report["seconds"]["total"].get<double>(),

@@ -24,6 +24,7 @@
 #include "app/base/out_of_memory.h"
 #include "app/base/version.h"
 #include "app/main/verbs.h"
+#include "app/options/command_options.h"
 #include "atlas/base/error.h"
 
 namespace {
@@ -44,19 +45,6 @@ void say(std::string_view sentence) {
     burl::warn(fmt::format("burl: {}", sentence));
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& words) {
-    const std::vector<std::string_view> candidates(words.begin(), words.end());
-    const std::string_view nearest = burl::nearest_word(word, candidates);
-    return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
-}
-
-std::vector<std::string> option_names(const CLI::App& verb) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : verb.get_options())
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    return names;
-}
-
 /// The sentence about an option on the verb's command line that the verb does not have, with the
 /// verb that has it, or the nearest one; empty where there is none.
 std::string unknown_option(const CLI::App& program, const CLI::App& verb) {
@@ -65,17 +53,20 @@ std::string unknown_option(const CLI::App& program, const CLI::App& verb) {
         unknown, [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
     if (found == unknown.end()) return "";
     const std::string name = found->substr(0, found->find('='));
+    if (program.get_option_no_throw(name) != nullptr)
+        return fmt::format("{} is asked of burl itself, without a verb ", name);
     for (const CLI::App* other : program.get_subcommands([](const CLI::App*) { return true; }))
         if (other->get_option_no_throw(name) != nullptr)
             return fmt::format("{} is no option of burl {}, but of burl {} ", name, verb.get_name(),
                                other->get_name());
-    return fmt::format("there is no option {}; {}", name, did_you_mean(name, option_names(verb)));
+    return fmt::format("there is no option {}; {}", name,
+                       burl::did_you_mean(name, burl::option_names(verb)));
 }
 
 /// The sentence about a long option behind one dash, as -size, which counts as the value ize of -s;
 /// empty where there is none.
 std::string one_dash(const CLI::App& verb, std::span<char*> arguments) {
-    const std::vector<std::string> names = option_names(verb);
+    const std::vector<std::string> names = burl::option_names(verb);
     for (const std::string_view word : arguments) {
         const std::string name = fmt::format("-{}", word.substr(0, word.find('=')));
         if (word.starts_with('-') && !word.starts_with("--") && std::ranges::count(names, name))
@@ -111,10 +102,11 @@ std::string usage_sentence(const CLI::App& program, const CLI::ParseError& wrong
     for (const CLI::App* verb :
          program.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); }))
         verbs.push_back(verb->get_name());
-    std::vector<std::string> words = option_names(program);
+    std::vector<std::string> words = burl::option_names(program);
     words.insert(words.end(), verbs.begin(), verbs.end());
     return fmt::format("there is no verb or option '{}'; {}the verbs are {} (try `burl --help`)",
-                       arguments[1], did_you_mean(arguments[1], words), fmt::join(verbs, ", "));
+                       arguments[1], burl::did_you_mean(arguments[1], words),
+                       fmt::join(verbs, ", "));
 }
 
 /// Adds the verbs and the version to the program.

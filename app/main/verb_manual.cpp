@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/base/messages.h"
 #include "app/main/verbs.h"
 #include "app/options/command_options.h"
 #include "app/options/manual.h"
@@ -21,6 +22,15 @@ struct ManualCommand {
     std::string form, verb;
 };
 
+/// The end of a sentence about a verb that there is not.
+std::string hint_of_verb(const std::vector<const CLI::App*>& verbs, const std::string& name) {
+    std::vector<std::string> names;
+    for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    const std::string_view nearest = nearest_word(name, words);
+    return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+}
+
 /// The page of section 1 of the program, or of a verb by its name.
 std::string page_of(const CLI::App& program, const std::string& name) {
     if (name.empty()) return program_page(program);
@@ -28,11 +38,16 @@ std::string page_of(const CLI::App& program, const std::string& name) {
     const auto found =
         std::ranges::find(verbs, name, [](const auto* verb) { return verb->get_name(); });
     if (found == verbs.end())
-        throw Error(ExitCode::usage, fmt::format("manual: there is no verb '{}'", name));
+        throw Error(ExitCode::usage, fmt::format("manual: there is no verb '{}'{}", name,
+                                                 hint_of_verb(verbs, name)));
     return verb_page(program, **found);
 }
 
 void run(const CLI::App& program, const ManualCommand& command) {
+    if (!command.verb.empty() && command.form != "man")
+        throw Error(ExitCode::usage, fmt::format("manual: {} is of the whole program; leave \"{}\" "
+                                                 "out",
+                                                 command.form, command.verb));
     if (command.form == "verbs")
         for (const CLI::App* verb : verbs_of(program)) fmt::print("{}\n", verb->get_name());
     else if (command.form == "man")

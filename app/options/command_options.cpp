@@ -227,6 +227,19 @@ void add_pose(CLI::App& verb, std::string& pose) {
                     "animation (NAME@SECONDS) or \"nodes\"; pose.weight says how far");
 }
 
+std::vector<std::string> option_names(const CLI::App& verb) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : verb.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& words) {
+    const std::vector<std::string_view> candidates(words.begin(), words.end());
+    const std::string_view nearest = nearest_word(word, candidates);
+    return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
+}
+
 CLI::Validator in_range(double low, double high) {
     const std::string bounds = fmt::format("{:.3g} to {:.3g}", low, high);
     return {[=](std::string& text) {

@@ -27,6 +27,12 @@ struct RecipeEdit {
     std::string setting() const { return path + "=" + value; }
 };
 
+/// The long options of a verb or program, with their dashes.
+std::vector<std::string> option_names(const CLI::App& verb);
+
+/// "did you mean WORD? " of the nearest of the words; empty where none is near.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& words);
+
 struct RecipeParameter;
 
 /// An option that sets a parameter of the recipe by itself, such as --size.

@@ -116,6 +116,16 @@ int print_manual(const CLI::App& program, const std::string& form) {
     return 0;
 }
 
+/// The sentence about a wrong option or argument, and a blank.
+std::string wrong_argument(const CLI::App& program, const CLI::ParseError& wrong) {
+    const std::vector<std::string> left = program.remaining();
+    if (left.empty()) return fmt::format("{}; ", wrong.what());
+    const std::string name = left[0].substr(0, left[0].find('='));
+    if (!name.starts_with('-')) return fmt::format("nothing takes \"{}\"; ", left[0]);
+    return fmt::format("there is no option {}; {}", name,
+                       burl::did_you_mean(name, burl::option_names(program)));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -135,7 +145,8 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& asked) {
         return program.exit(asked);
     } catch (const CLI::ParseError& wrong) {
-        burl::warn(fmt::format("burl-edit: {}; burl-edit --help lists the options", wrong.what()));
+        burl::warn(fmt::format("burl-edit: {}burl-edit --help lists the options",
+                               wrong_argument(program, wrong)));
         return int(burl::ExitCode::usage);
     }
     if (!manual.empty()) return print_manual(program, manual);

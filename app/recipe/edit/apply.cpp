@@ -48,7 +48,7 @@ void check_edited(const Json& before, const Json& recipe, const std::vector<Cont
 /// Throws Error(usage) for a setting of what may be a misspelt control.
 void check_spelt(const Json& recipe, const std::string& setting) {
     const std::string nearest = nearest_control(recipe, setting);
-    if (nearest.empty() || setting.find('=') == std::string::npos) return;
+    if (nearest.empty()) return;
     throw Error(ExitCode::usage,
                 fmt::format("--set: there is no parameter or control \"{}\"; did you mean \"{}\"?",
                             setting.substr(0, setting.find('=')), nearest));
@@ -71,6 +71,7 @@ void apply_settings(Json& recipe, const std::vector<std::string>& settings) {
     std::vector<ControlEdit> edits;
     std::vector<std::string> named;
     for (const std::string& setting : settings) {
+        check_setting_form(setting);
         if (sets_control(before, setting)) {
             named.push_back(setting);
             continue;

@@ -10,18 +10,13 @@
 
 #include "app/base/messages.h"
 #include "app/recipe/edit/formula.h"
+#include "app/recipe/edit/settings.h"
 #include "atlas/base/error.h"
 #include "procedural/model/members.h"
 
 namespace burl {
 
 namespace {
-
-std::string without_blanks(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t");
-    if (begin == std::string_view::npos) return "";
-    return std::string(text.substr(begin, text.find_last_not_of(" \t") + 1 - begin));
-}
 
 char small_letter(char c) {
     return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;

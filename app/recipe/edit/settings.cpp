@@ -131,12 +131,23 @@ Json& graph_place(Json& recipe, std::span<const std::string_view> parts, std::st
 
 }  // namespace
 
-std::string apply_setting(Json& recipe, const std::string& setting) {
+std::string without_blanks(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) return "";
+    return std::string(text.substr(begin, text.find_last_not_of(" \t") + 1 - begin));
+}
+
+void check_setting_form(const std::string& setting) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0)
         throw Error(ExitCode::usage,
                     fmt::format("--set: \"{}\" must have the form path=value", setting));
-    std::string path = respelled_path(setting.substr(0, equals));
+}
+
+std::string apply_setting(Json& recipe, const std::string& setting) {
+    check_setting_form(setting);
+    const std::size_t equals = setting.find('=');
+    std::string path = respelled_path(without_blanks(setting.substr(0, equals)));
     const SchemaNode* node = &recipe_schema();
     // The edit is made in a copy, since a wrong path must leave the recipe unchanged.
     Json edited = recipe;

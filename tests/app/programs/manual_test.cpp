@@ -127,5 +127,14 @@ TEST_F(Manual, AVerbThatIsNoneIsToldSo) {
     EXPECT_THAT(ran.err, HasSubstr("there is no verb 'bakery'"));
 }
 
+TEST_F(Manual, PagesOfTheWholeProgramTakeNoVerb) {
+    for (const char* what : {"bash bake", "recipe bake", "verbs bake"}) {
+        const auto ran = run_burl(scratch, std::string("manual ") + what);
+        EXPECT_EQ(ran.exit_code, 1) << what;
+        EXPECT_THAT(ran.err, HasSubstr("is of the whole program; leave \"bake\" out"));
+        EXPECT_EQ(ran.out, "");
+    }
+}
+
 }  // namespace
 }  // namespace burl

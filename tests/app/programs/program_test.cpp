@@ -252,6 +252,8 @@ TEST(Program, SaysWhatAMisspeltWordMayHaveMeant) {
         {"--versoin", "did you mean --version?"},
         {"bake m.obj -o a.glb --recpie wood", "no option --recpie; did you mean --recipe?"},
         {"bake m.obj --ouput=a.glb", "no option --ouput; did you mean --output?"},
+        {"bake --version", "--version is asked of burl itself, without a verb"},
+        {"manual man metrisc", "did you mean 'metrics'?"},
         {"render m.obj -o a.png --supersampel 3", "did you mean --supersample?"},
         {"bake sample:cube -o a.glb --recipe wod", "did you mean \"wood\"?"},
         {"bake sample:teapto -o a.glb", "did you mean \"sample:teapot\"?"},

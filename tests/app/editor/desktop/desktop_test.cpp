@@ -66,6 +66,11 @@ TEST(EditDesktop, AnUnknownOptionIsAWrongCommandLine) {
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_NE(run.err.find("--nonsense"), std::string::npos) << run.err;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+    EXPECT_EQ(test::run_program(scratch, "burl-edit", "--recipie oak").err,
+              "burl-edit: there is no option --recipie; did you mean --recipe? "
+              "burl-edit --help lists the options\n");
+    EXPECT_EQ(test::run_program(scratch, "burl-edit", "a.obj b.obj").err,
+              "burl-edit: nothing takes \"b.obj\"; burl-edit --help lists the options\n");
     EXPECT_EQ(test::run_program(scratch, "burl-edit", "--help").exit_code, 0);
     const test::Outcome manual = test::run_program(scratch, "burl-edit", "--manual nope");
     EXPECT_EQ(manual.exit_code, 1);

@@ -110,6 +110,7 @@ TEST(Controls, YieldToWhatIsSetByItself) {
     const Recipe wanted = planks({"solid.scale=2", "bump.height=0.25"});
     EXPECT_EQ(planks({"size=2", "bump.height=0.25"}), wanted);
     EXPECT_EQ(planks({"bump.height=0.25", "size=2"}), wanted);
+    EXPECT_EQ(planks({" solid.scale = 2", "bump.height =0.25"}), wanted);
     EXPECT_THAT(refused({"size=2", "solid.scale=3"}), HasSubstr("both set solid.scale"));
     EXPECT_THAT(refused({"Size=2", "size=3"}), HasSubstr("both set solid.scale"));
 }
@@ -119,6 +120,7 @@ TEST(Controls, RefuseValuesThatTheyCannotHave) {
               "--set size=9: \"size\" must be a number from 0.05 to 5, the control's range");
     EXPECT_THAT(refused({"size=big"}), HasSubstr("must be a number from 0.05 to 5"));
     EXPECT_THAT(refused({"size="}), HasSubstr("must be a number"));
+    EXPECT_THAT(refused({"size"}), HasSubstr("must have the form path=value"));
     EXPECT_THAT(refused({"size=nan"}), HasSubstr("must be a number"));
     EXPECT_THAT(refused({"light=3"}), HasSubstr("must be a colour"));
     EXPECT_THAT(refused({"light=#12"}), HasSubstr("--set light=#12: "));
