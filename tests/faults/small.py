@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Small files that ask for much: small.py BURL LIBRARY FOLDER
-Each holds one thing many times in at most 1.3 MB. It is refused or baked (at --size 16 but one) within SECONDS of processor time and MEBIBYTES of
+Each holds one thing many times in at most 1.3 MB. It is refused or baked (at --size 16, or 1024 where its shape is odd) within SECONDS of processor time and MEBIBYTES of
 memory, or within what its own row allows, which docs/reference/limits.md gives."""
 import base64, json, math, os, random, struct, subprocess, sys, threading
 
@@ -59,6 +59,33 @@ def other_mesh_cases():
     yield Case("claims.ply", head.format("ascii", 10**9, place, 1) + "0 0 0\n", often=True, code=3)
     yield Case("empty-faces.ply", head.format("binary_little_endian", 3, place, 900000).encode() + bytes(900036), often=True, code=3)
     yield Case("no-places.ply", head.format("binary_little_endian", 10**9, "", 1).encode() + bytes(36), often=True, code=3)
+
+
+def odd_points(odd, count):
+    """Points of eight kinds: one far away, of all magnitudes, on a grid, in a plane, on a helix, on a line, of five magnitudes, almost in a plane."""
+    r, kind = random.Random(odd), odd % 8
+    if kind == 0: return [[10 ** r.uniform(2, 9), 0, 0]] + [[r.random() for _ in range(3)] for _ in range(count - 1)]
+    if kind == 1: return [[r.gauss(0, 1) * 10 ** r.uniform(-6, 3) for _ in range(3)] for _ in range(count)]
+    if kind == 2: return [[r.randrange(6), r.randrange(6), r.randrange(3)] for _ in range(count)]
+    if kind == 4: return [[math.cos(i), math.sin(i), i * 10 ** r.uniform(-4, 0)] for i in range(count)]
+    if kind == 5: return [[i, i * i % 7 * 1e-5, i % 3 * 1e-9] for i in range(count)]
+    return [[r.random() * 10 ** (i % 5 * (kind == 6)) for _ in range(2)] + [r.random() * {3: 0, 6: 1, 7: 1e-7}[kind]] for i in range(count)]
+
+
+def odd_cases():
+    """Random meshes of odd shapes, which ask for much where a texture is not small: at --size 1024."""
+    for odd in range(48):
+        r = random.Random(odd)
+        count, faces, mode = r.choice((10, 40, 100, 400)), r.choice((30, 100, 300, 1000)), r.randrange(4)
+        def corner(i, k):
+            if mode == 0: return r.randrange(count)
+            if mode == 1: return (i + k) % count
+            if mode == 2: return 0 if k == 0 else 1 + (i + k) % (count - 1)
+            return (i * i + k * (1 + i % 3)) % count
+        points = odd_points(odd, count)
+        text = lines(count, lambda i: "v %r %r %r" % tuple(points[i])) + lines(faces, lambda i: "f %d %d %d" % tuple(1 + corner(i, k) for k in range(3)))
+        for kind in ("patch", "quad", "chart"):
+            yield Case(f"odd-{odd}.obj", text, f"bake {{}} --size 1024 -j 2 -r marble -o out.glb --atlas {kind}", seconds=4, mebibytes=256)
 
 
 def gltf(count, points, indices=None, mode=4, **more):
@@ -195,7 +222,7 @@ def problem(case, burl):
 
 def main():
     burl, report = Burl(*sys.argv[1:4]), Report()
-    for cases in (obj_cases, other_mesh_cases, gltf_cases, recipe_cases, image_cases, other_cases):
+    for cases in (obj_cases, odd_cases, other_mesh_cases, gltf_cases, recipe_cases, image_cases, other_cases):
         for case in cases():
             if EVERY or case.often: report.add(f"{case.name}: {case.command}", problem(case, burl))
     return report.end("small")
