@@ -88,7 +88,7 @@ struct BakeResult {
     double writing = 0.0;             ///< seconds spent on files rather than on stages
 };
 
-/// What viewers make of a glTF's pictures of 16 bits.
+/// The words on how viewers show a glTF's pictures of 16 bits.
 inline constexpr const char* deep_gltf_loss =
     "viewers cut 16 bits to 8, and those that do not, such as VTK's, show them too light, since "
     "OpenGL has no 16-bit sRGB";

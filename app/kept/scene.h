@@ -55,7 +55,7 @@ bool keeps_lines(const std::string& mesh_path, const std::string& out_path);
 std::vector<std::string> losses_of_flat(const std::string& mesh_path, const Mesh& mesh,
                                         const std::string& out_path, bool keeps_uvs);
 
-/// What an .stl does not hold of any bake.
+/// The loss of every bake in an .stl.
 inline constexpr const char* stl_loss = "colours, of which an .stl has none";
 
 /// One sentence that names losses.

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// What the program says on stderr, a line each, without the output's name.
+/// The lines that the program says on stderr, without the output's name.
 std::vector<std::string> said_by_burl(const std::string& words, const fs::path& where) {
     const std::string command =
         std::string(BURL_PROGRAM) + " " + words + " 2>" + (where / "said").string() + " >/dev/null";

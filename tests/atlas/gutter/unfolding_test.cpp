@@ -99,14 +99,19 @@ TEST(Unfolding, WalksOnATubeAreLinesOfTheUnrolledTube) {
     EXPECT_GT(far, 100);
 }
 
+/// A tube, and an edge of it where walks begin: its middle in the unrolled plane, and the way out.
+struct TubeEdge {
+    Mesh mesh = made::tube(24, 20, 6.0);
+    EdgeNeighbours neighbours{mesh.triangles, mesh.positions};
+    std::uint32_t edge = 3 * (48 * 8);
+    std::array<Vec2d, 3> places = unrolled(mesh, edge / 3, 24, 6.0, 20);
+    Vec2d from = glm::mix(places[0], places[1], 0.5);
+    Vec2d out = glm::normalize(Vec2d(places[1].y - places[0].y, places[0].x - places[1].x));
+};
+
 TEST(Unfolding, LongWalksEndWhereTheyAreToldTo) {
-    const std::uint32_t columns = 24, rows = 20;
-    const Mesh mesh = made::tube(columns, rows, 6.0);
-    const EdgeNeighbours neighbours(mesh.triangles, mesh.positions);
-    const std::uint32_t edge = 3 * (48 * 8);
-    const auto places = unrolled(mesh, edge / 3, columns, 6.0, rows);
-    const Vec2d a = places[0], b = places[1];
-    const Vec2d from = glm::mix(a, b, 0.5), out = glm::normalize(Vec2d(b.y - a.y, a.x - b.x));
+    const TubeEdge tube;
+    const auto& [mesh, neighbours, edge, places, from, out] = tube;
     std::size_t last = 0;
     double share = 0.0;
     for (const int longest : {1, 2, 5, 9}) {
@@ -258,13 +263,8 @@ TEST(Unfolding, WalksThatDoNotGetOnAreGivenUp) {
 }
 
 TEST(Unfolding, KeepsNoMoreTrianglesThanItIsTold) {
-    const std::uint32_t columns = 24, rows = 20;
-    const Mesh mesh = made::tube(columns, rows, 6.0);
-    const EdgeNeighbours neighbours(mesh.triangles, mesh.positions);
-    const std::uint32_t edge = 3 * (48 * 8);
-    const auto places = unrolled(mesh, edge / 3, columns, 6.0, rows);
-    const Vec2d a = places[0], b = places[1];
-    const Vec2d from = glm::mix(a, b, 0.5), out = glm::normalize(Vec2d(b.y - a.y, a.x - b.x));
+    const TubeEdge tube;
+    const auto& [mesh, neighbours, edge, places, from, out] = tube;
     Unfolding unfolding(mesh.triangles, mesh.positions, neighbours, AtOpenEdge::end, longest_walk,
                         6);
     const std::uint32_t first = unfolding.begin(edge, places);
