@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Small files that ask for much: small.py BURL LIBRARY FOLDER
 Each holds one thing many times in at most 1.3 MB. It is refused or baked (at --size 16, or 1024 where its shape is odd) within SECONDS of processor time and MEBIBYTES of
-memory, or within what its own row allows, which docs/reference/limits.md gives."""
+memory, or within what its own row allows, which docs/reference/limits.md gives; a slower machine may take as much longer as it takes
+for a yardstick."""
 import base64, json, math, os, random, struct, subprocess, sys, threading
 
 from common import EVERY, Burl, Report, png, sentence_problem
@@ -196,35 +197,52 @@ def other_cases():
         f'<input name="in2" type="float" nodename="a{i - 1}"/></add>' for i in range(1, 7000)) + "</materialx>", "show {}", often=True, code=3)
 
 
-def problem(case, burl):
-    """What is wrong about a case's run."""
+YARDSTICK = "bake sample:torus --recipe marble --size 512 --filter supersample:100 --threads 1 -o yardstick.png --force --quiet"
+YARDSTICK_SECONDS = .69  # of the processor that the limits were measured on
+
+
+def measure(burl, words, late):
+    """Runs burl, for at most so many seconds. Returns its exit code, the processor's seconds, the most MiB and what it said."""
+    with open(burl.folder / "err.txt", "w+", errors="backslashreplace") as err:
+        child = subprocess.Popen([burl.program, *words], cwd=burl.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err)
+        timer = threading.Timer(late, child.kill)
+        timer.start()
+        _, status, used = os.wait4(child.pid, 0)
+        timer.cancel()
+        err.seek(0)
+        return os.waitstatus_to_exitcode(status), used.ru_utime + used.ru_stime, used.ru_maxrss // 1024, err.read()
+
+
+def slowness(burl):
+    """How many times slower this machine is, now, than the one whose seconds are the limits; at least 1, at most 4."""
+    code, seconds, _, said = measure(burl, YARDSTICK.split(), 60)
+    if code: sys.exit(f"{YARDSTICK}: {said}")
+    return min(max(seconds / YARDSTICK_SECONDS, 1), 4)
+
+
+def problem(case, burl, slower):
+    """What is wrong about a case's run on a machine that is so many times slower than that of the limits."""
     for name, data in [(case.name, case.data.encode() if isinstance(case.data, str) else case.data), *case.beside]:
         (burl.folder / name).write_bytes(data)
     words = [word.replace("{}", case.name) for word in case.command.split()]
     for output in burl.folder.glob("out.*"): output.unlink()
     words += {"bake": ["--force", "--quiet"], "batch": ["--quiet"]}.get(words[0], [])
-    with open(burl.folder / "err.txt", "w+", errors="backslashreplace") as err:
-        child = subprocess.Popen([burl.program, *words], cwd=burl.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err)
-        late = threading.Timer(100 * case.seconds, child.kill)
-        late.start()
-        _, status, used = os.wait4(child.pid, 0)
-        late.cancel()
-        err.seek(0)
-        said = err.read()
-    code, seconds, mebibytes = os.waitstatus_to_exitcode(status), used.ru_utime + used.ru_stime, used.ru_maxrss // 1024
+    code, seconds, mebibytes, said = measure(burl, words, 100 * case.seconds)
     print(f"{words[0]} {case.name} {' '.join(words[2:])}: exit code {code}, {seconds:.2f} s, {mebibytes} MiB", flush=True)
     if code != case.code: return f"exit code {code} instead of {case.code}: {said}"
     if "-o" in words and (burl.folder / words[words.index("-o") + 1]).exists() != (code == 0): return "an output is missing, or left over"
     if mebibytes > case.mebibytes: return f"{mebibytes} MiB"
-    if seconds > case.seconds: return f"{seconds:.2f} s"
+    if seconds > slower * case.seconds: return f"{seconds:.2f} s on a machine that is {slower:.1f} times slower"
     return sentence_problem(said) if code else ""
 
 
 def main():
     burl, report = Burl(*sys.argv[1:4]), Report()
+    slower = slowness(burl)
+    print(f"{slower:.2f} times slower than the machine of the limits")
     for cases in (obj_cases, odd_cases, other_mesh_cases, gltf_cases, recipe_cases, image_cases, other_cases):
         for case in cases():
-            if EVERY or case.often: report.add(f"{case.name}: {case.command}", problem(case, burl))
+            if EVERY or case.often: report.add(f"{case.name}: {case.command}", problem(case, burl, slower))
     return report.end("small")
 
 
