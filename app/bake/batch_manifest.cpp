@@ -107,14 +107,25 @@ std::string text_of(const std::string& key, const Json& value, const PathRule& r
     return names_file(at > 0 ? "recipe" : key, path) ? text.substr(0, at) + rule(path) : text;
 }
 
-/// Throws Error(invalid_file) if `burl bake` has no option `key`.
+/// Whether `key` is an option of `burl batch` itself that `burl bake` has, too.
+bool is_of_batch(const std::string& key) {
+    CLI::App options;
+    BakeCommand command;
+    add_run_options(options, command);
+    add_report_options(options, command);
+    return options.get_option_no_throw("--" + key) != nullptr;
+}
+
+/// Throws Error(invalid_file) if `burl bake` has no option `key` for one bake among several.
 void check_key(const CLI::App& options, const std::string& key) {
     if (key == "mesh" || options.get_option_no_throw("--" + key)) return;
+    if (is_of_batch(key))
+        throw Error(ExitCode::invalid_file,
+                    fmt::format("'{0}' is asked of the whole batch: burl batch --{0}", key));
     std::vector<std::string> names;
     for (const CLI::Option* option : options.get_options())
         names.push_back(option->get_single_name());
-    const std::vector<std::string_view> words(names.begin(), names.end());
-    const std::string_view near = nearest_word(key, words);
+    const std::string_view near = nearest_word(key, names);
     throw Error(ExitCode::invalid_file,
                 fmt::format("there is no option '{}'{}", key,
                             near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));

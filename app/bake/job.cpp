@@ -173,6 +173,7 @@ void BakeJob::check() const {
             fmt::format("{}: --frames writes textures alone, .png or .exr, say; bake the mesh "
                         "once without --frames: its texture coordinates fit every frame",
                         command_.out));
+    check_masks();
     check_files(plan_.paths);
     const AtlasKind kind = recipe().atlas.kind;
     if (command_.compress && kind != AtlasKind::quad)
@@ -303,10 +304,7 @@ BakeResult BakeJob::bake_into(Pipeline& pipeline, std::shared_ptr<TextureSynthes
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                   double reading, LaterBake later) const {
     const auto start = Clock::now();
-    const std::string unheld = numbers_in_no_picture(recipe(), plan_.packing);
-    if (!holds_mesh(command_.out) && !unheld.empty())
-        warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
-                         unheld));
+    warn_of_values();
     warn_of_depth();
     const std::vector<std::string> flat = losses_before(pipeline.mesh());
     const std::shared_ptr<KeptScene> kept = kept_scene();

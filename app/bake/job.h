@@ -102,6 +102,8 @@ class BakeJob {
     void check_coding() const;
     void check_strips() const;
     void check_bare_surface() const;
+    void check_masks() const;
+    void warn_of_values() const;
     void warn_of_depth() const;
     void warn_of_strips(const StripCounts& counts) const;
     void check_idle() const;

@@ -40,6 +40,20 @@ void BakeJob::check_tiles(const std::vector<std::string>& paths) const {
             batch_files_->check(file);
 }
 
+/// Throws Error(usage) for a mask that is named twice, or as a picture of the material is.
+void BakeJob::check_masks() const {
+    const std::vector<std::string> pictures = picture_names(recipes_of_atlas(), plan_.material());
+    for (const std::string& mask : command_.channels) {
+        if (std::ranges::count(command_.channels, mask) > 1)
+            throw Error(ExitCode::usage, fmt::format("--channels: {} is there twice", mask));
+        if (std::ranges::count(pictures, mask) > 0)
+            throw Error(ExitCode::usage,
+                        fmt::format("--channels: the recipe's own {0} is the picture of that name; "
+                                    "leave {0} out, or pack the material otherwise (--pack)",
+                                    mask));
+    }
+}
+
 /// Throws Error(usage) where the output holds no strips.
 void BakeJob::check_strips() const {
     if (command_.strips && !holds_strips(command_.out))
@@ -59,7 +73,7 @@ void BakeJob::check_bare_surface() const {
         throw Error(ExitCode::usage,
                     fmt::format("{}: {} does nothing: {}; leave it out", c.out, option, why));
     };
-    const std::array<std::pair<bool, const char*>, 8> of_pictures{{
+    const std::array<std::pair<bool, const char*>, 9> of_pictures{{
         {!c.levels.empty(), "--levels"},
         {c.compress.has_value(), "--compress"},
         {c.recipe.filter.has_value(), "--filter"},
@@ -68,12 +82,15 @@ void BakeJob::check_bare_surface() const {
         {c.synth != "host", "--synth"},
         {c.depth.has_value(), "--depth"},
         {!c.packing.empty(), "--pack"},
+        {!c.normals.empty() && c.normals != "none", "--normals"},
     }};
     for (const auto& [given, option] : of_pictures)
         if (given) refuse(option, "an .stl has no pictures");
+    if (c.crease && !c.displace) refuse("--crease", "an .stl has normals of triangles alone");
     // A patch atlas cuts triangles.
     if (c.displace || recipe().atlas.kind == AtlasKind::patch) return;
     constexpr const char* why = "an .stl holds the surface alone, and there is no --displace";
+    if (c.recipe.time) refuse("--time", why);
     for (const RecipeEdit& edit : c.recipe.edits())
         if (edit.said.starts_with("--set") && !edit.path.starts_with("atlas.") &&
             !edit.path.starts_with("pose."))
@@ -129,6 +146,14 @@ bool BakeJob::needs_host() const {
     return !sharing_.empty() || std::ranges::any_of(*recipes_, [&](const Recipe& recipe) {
         return has_pictures(recipe, plan_.packing, plan_.material().rough_levels());
     });
+}
+
+/// Warns of the material's values that no file of the bake holds.
+void BakeJob::warn_of_values() const {
+    std::vector<std::string> pictures;
+    if (!plan_.vertex_colors) pictures = picture_names(recipes_of_atlas(), plan_.material());
+    const std::string values = values_not_held(recipe(), pictures, plan_.packing, command_.out);
+    if (!values.empty()) warn(fmt::format("{}: {}", command_.out, values));
 }
 
 /// Warns of 16 bits in a glTF.

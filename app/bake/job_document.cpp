@@ -84,12 +84,14 @@ std::vector<std::string> BakeJob::recipe_losses() const {
 /// Says what of the mesh's file the output does not hold; with --strict, before the bake.
 std::vector<std::string> BakeJob::losses_before(const Mesh& mesh) const {
     if (!holds_mesh(command_.out) || kept_document()) return {};
-    if (keeps_lines(command_.mesh, command_.out) && !plan_.displaces) return {};
     const bool keeps_uvs = recipe().atlas.kind == AtlasKind::uv && holds_colors(command_.out);
-    std::vector<std::string> losses = losses_of_flat(command_.mesh, mesh, command_.out, keeps_uvs);
+    std::vector<std::string> losses;
+    if (!keeps_lines(command_.mesh, command_.out) || plan_.displaces)
+        losses = losses_of_flat(command_.mesh, mesh, command_.out, keeps_uvs);
     if (!holds_colors(command_.out)) losses.emplace_back(stl_loss);
     if (plan_.vertex_colors)
-        std::ranges::move(lost_with_vertex_colors(recipe()), std::back_inserter(losses));
+        std::ranges::move(lost_with_vertex_colors(recipe(), command_.out),
+                          std::back_inserter(losses));
     if (!losses.empty() && command_.strict)
         throw Error(ExitCode::unsupported,
                     fmt::format("{}: --strict: {}", command_.out, losses_sentence(losses)));

@@ -247,6 +247,37 @@ std::vector<FloatImage> float_images(const std::vector<FloatPicture>& pictures) 
     return images;
 }
 
+/// The channel's value where it does not vary, in words of recipes.
+std::string value_of(const Material& material, Channel channel) {
+    const auto text = [](const Rgb8& c) {
+        return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b);
+    };
+    if (channel == Channel::emissive) return text(material.emissive);
+    if (channel == Channel::sheen) return text(material.sheen);
+    return fmt::format("{}", channel_number(material, channel));
+}
+
+/// Whether one of the pictures, whose names these are, holds a channel that does not vary. Alpha
+/// of the base colour holds the opacity.
+bool is_in_pictures(Channel channel, std::span<const std::string> pictures, Packing packing) {
+    const auto has = [&](std::string_view name) {
+        return std::ranges::find(pictures, name) != pictures.end();
+    };
+    if (channel == Channel::opacity || has(to_string(channel))) return true;
+    if (channel == Channel::clearcoat_roughness && packing != Packing::separate)
+        return has("clearcoat");
+    const bool of_surface = channel == Channel::occlusion || channel == Channel::roughness ||
+                            channel == Channel::metallic;
+    return of_surface && (has("orm") || has("mask"));
+}
+
+/// Whether the library of an .obj has a line for the channel where it does not vary.
+bool is_in_mtl(Channel channel) {
+    using enum Channel;
+    return channel == metallic || channel == roughness || channel == emissive ||
+           channel == specular || channel == clearcoat || channel == clearcoat_roughness;
+}
+
 }  // namespace
 
 Packing packing_asked(const std::string& text, const std::string& out_path) {
@@ -314,20 +345,28 @@ AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
                             pipeline.context().meter);
 }
 
-std::string numbers_in_no_picture(const Recipe& recipe, Packing packing) {
+std::string values_not_held(const Recipe& recipe, std::span<const std::string> pictures,
+                            Packing packing, const std::string& out_path) {
+    if (is_gltf(out_path) || is_materialx(out_path)) return {};  // hold all
+    if (holds_mesh(out_path) && !holds_colors(out_path)) return {};
+    const Material& m = recipe.material;
     const PlaneLayout planes(recipe.texture);
-    const bool packs = packing != Packing::separate;
-    std::string all;
+    const bool mtl = is_obj(out_path);
+    std::vector<std::string> values;
     for (std::size_t i = 0; i < enum_names<Channel>.size(); ++i) {
         const auto channel = Channel(i);
-        const bool shared = channel == Channel::occlusion || channel == Channel::roughness ||
-                            channel == Channel::metallic;
-        if (planes.of(channel) || is_color(channel) || channel == Channel::opacity) continue;
-        const double number = channel_number(recipe.material, channel);
-        if ((packs && shared) || number == channel_number({}, channel)) continue;
-        all += fmt::format("{}{} {}", all.empty() ? "" : ", ", to_string(channel), number);
+        const bool held = planes.of(channel) || is_in_pictures(channel, pictures, packing) ||
+                          (mtl && is_in_mtl(channel));
+        if (!held && value_of(m, channel) != value_of({}, channel))
+            values.push_back(fmt::format("{} {}", to_string(channel), value_of(m, channel)));
     }
-    return all;
+    if (!mtl && m.ior != Material().ior) values.push_back(fmt::format("ior {}", m.ior));
+    const bool glows = planes.of(Channel::emissive) || m.emissive != Rgb8{};
+    if (!mtl && glows && m.emissive_strength != 1.0)
+        values.push_back(fmt::format("emissive_strength {}", m.emissive_strength));
+    if (values.empty()) return {};
+    return fmt::format("nothing in it or beside it holds what is the same everywhere: {}",
+                       fmt::join(values, ", "));
 }
 
 void check_material(const Recipe& recipe, const MaterialAsked& asked, const std::string& what) {

@@ -56,10 +56,11 @@ BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked,
 AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
                               const MaterialAsked& asked, ExrDepth depth);
 
-/// The channels that are the same everywhere but not as by default, each with its number: pictures
-/// of this packing do not hold them, so they are lost where there is no file of a mesh. Empty where
-/// there are none.
-std::string numbers_in_no_picture(const Recipe& recipe, Packing packing);
+/// A sentence on the material's values that are the same everywhere and not the defaults, and that
+/// neither the output's file nor its pictures, whose names and packing these are, hold; empty where
+/// there are none. An .stl has no material at all, which is told as a loss of its own.
+std::string values_not_held(const Recipe& recipe, std::span<const std::string> pictures,
+                            Packing packing, const std::string& out_path);
 
 /// Throws Error(usage) in one sentence where a bake cannot give the recipe's material: what the
 /// command asks for besides, `what`, is not done for it.

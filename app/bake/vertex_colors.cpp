@@ -43,9 +43,10 @@ void check_vertex_colors(const std::string& out, const RecipeOptions& recipe) {
                                     edit.said));
 }
 
-std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe) {
+std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe, const std::string& out) {
     const MaterialAsked separate{Packing::separate, 8, 0, false, 0.0};
     std::vector<std::string> lost = picture_names({&recipe, 1}, separate);
+    if (is_obj(out) && is_transparent(recipe)) lost.emplace_back("opacity");
     if (!recipe.bump.empty()) lost.emplace_back("bumps");
     if (!recipe.paint.empty()) lost.emplace_back("paint");
     return lost;

@@ -18,8 +18,8 @@ std::vector<Vec4f> vertex_colors(const Recipe& recipe, const Mesh& mesh);
 void check_vertex_colors(const std::string& out, const RecipeOptions& recipe);
 
 /// The names of all that the recipe has besides numbers and the base colour, which vertex colours
-/// do not hold.
-std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe);
+/// do not hold, and of opacity, which those of an .obj do not.
+std::vector<std::string> lost_with_vertex_colors(const Recipe& recipe, const std::string& out);
 
 /// Writes the mesh with the colours of its points, and the plan's shader; there is no atlas and no
 /// image. Throws Error as vertex_colors() and scene_files() do.

@@ -148,6 +148,11 @@ std::string names_together(std::span<const std::string> names) {
     return text;
 }
 
+std::string_view nearest_word(std::string_view word, std::span<const std::string> candidates) {
+    const std::vector<std::string_view> views(candidates.begin(), candidates.end());
+    return nearest_word(word, views);
+}
+
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
     std::string_view nearest;
     std::size_t best = std::string_view::npos;

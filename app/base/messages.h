@@ -25,8 +25,9 @@ void show_status(std::string_view line);
 /// Joins names as "a.mtl, a.obj and a.png"; of many only the first, and the number of the others.
 std::string names_together(std::span<const std::string> names);
 
-/// The candidate with the smallest edit distance to `word`; empty when there is none that shares
-/// more than it lacks.
+/// The candidate with the smallest edit distance to `word`, as a view of its text; empty when there
+/// is none that shares more than it lacks.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);
+std::string_view nearest_word(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace burl

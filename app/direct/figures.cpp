@@ -284,8 +284,7 @@ Figure find_figure(const std::string& name) {
         if (figure.name == name) return figure;
         names.push_back(figure.name);
     }
-    const std::vector<std::string_view> words(names.begin(), names.end());
-    const std::string_view nearest = nearest_word(name, words);
+    const std::string_view nearest = nearest_word(name, names);
     const std::string hint = nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest);
     throw Error(ExitCode::usage, fmt::format("there is no figure \"{}\"; {}the figures are {}",
                                              name, hint, fmt::join(names, ", ")));

@@ -192,6 +192,8 @@ EmittedShader emit_glsl(const Recipe& recipe, const Affine3& solid_from_mesh) {
         shader.notes.push_back(
             fmt::format("filter {} is left out: the shader gives the colour at a point",
                         to_string(recipe.filter.kind)));
+    if (!recipe.paint.empty())
+        shader.notes.emplace_back("paint is left out: the shader computes the recipe's texture");
     const std::string uniforms = shader.uniforms.empty() ? "" : "\n" + shader.uniforms;
     return {header(recipe) + images + uniforms + "\n" + shader.text, std::move(shader.notes)};
 }

@@ -294,18 +294,19 @@ void ObjRewriter::print_libraries(ObjText& text) const {
     }
 }
 
-/// Prints all points, those of the file as it has them where they have not moved. Colours of a file
-/// that is carved as a whole would tint the texture.
+/// Prints all points, those of the file as it has them where they have not moved, with the file's
+/// colours. Those of a file that is carved as a whole would tint the texture.
 void ObjRewriter::print_points(ObjText& text) const {
-    const bool colored = !source_.faces.colors.values.empty() && !keeps_faces();
+    const std::vector<Vec4f>& colors = source_.faces.colors.values;
+    const bool drops_colors = !colors.empty() && !keeps_faces();
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const bool has_color = !is_colored_.empty() && is_colored_[i];
         if (has_color)
             print_point(text, places_[i], &place_colors_[i]);
-        else if (places_[i] == source_.faces.points[i] && !colored)
+        else if (places_[i] == source_.faces.points[i] && !drops_colors)
             put_line(text, "", source_.points[i]);
         else
-            print_point(text, places_[i]);
+            print_point(text, places_[i], colors.empty() || drops_colors ? nullptr : &colors[i]);
     }
     for (const Vec3d& place : extra_places_) print_point(text, place);
 }

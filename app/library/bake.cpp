@@ -282,7 +282,7 @@ Baked bake(const Mesh& mesh, const Recipe& recipe, const BakeOptions& options) {
             result->mesh_path = mesh.state().path;
             result->mesh_losses = mesh.state().losses;
             result->recipe_files = files_of_recipe(recipe.state().origin, pipeline.recipe());
-            result->in_no_picture = numbers_in_no_picture(pipeline.recipe(), result->packing);
+            result->recipe = pipeline.recipe();
         });
     };
     guarded([&] {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/bake/bake.h"
+#include "app/bake/material.h"
 #include "app/bake/texture.h"
 #include "app/export/command_files.h"
 #include "app/export/formats.h"
@@ -133,15 +134,18 @@ void check_files(const Baked::State& baked, std::span<const AtomicFile> files) {
                             file.target()));
 }
 
-/// Sentences on what the file of that name cannot hold of the mesh, its document and the material.
+/// The sentence on the material's values that the file of that name and its pictures cannot hold.
+std::string lost_values(const Baked::State& baked, const std::string& path) {
+    std::vector<std::string> pictures;
+    for (const ExportPicture& picture : baked.options.pictures) pictures.push_back(picture.name);
+    for (const FloatLevels& floats : baked.floats) pictures.push_back(floats.name);
+    return values_not_held(baked.recipe, pictures, baked.packing, path);
+}
+
+/// Sentences on what the file of that name cannot hold of the mesh and its document.
 std::vector<std::string> losses_of(const Baked::State& baked, const std::string& path) {
+    if (!holds_mesh(path)) return {};
     std::vector<std::string> sentences;
-    if (!holds_mesh(path)) {
-        if (!baked.in_no_picture.empty())
-            sentences.push_back("no picture holds what is the same everywhere: " +
-                                baked.in_no_picture);
-        return sentences;
-    }
     std::vector<std::string> lost = baked.mesh_losses;
     const bool keeps_uvs = baked.atlas.options.kind == AtlasKind::uv && holds_colors(path);
     if (!baked.mesh_path.empty() && !has_gltf_extension(baked.mesh_path))
@@ -221,6 +225,8 @@ std::vector<std::string> write(const Baked& baked, const std::string& path) {
     return guarded([&] {
         check_format(baked.state(), path);
         std::vector<std::string> lost;
+        std::string values = lost_values(baked.state(), path);
+        if (!values.empty()) lost.push_back(std::move(values));
         std::vector<AtomicFile> files = files_of(baked.state(), path, lost);
         check_files(baked.state(), files);
         std::ranges::move(losses_of(baked.state(), path), std::back_inserter(lost));

@@ -64,7 +64,7 @@ struct Baked::State {
     std::string mesh_path;                    ///< as of Mesh::State
     std::vector<std::string> mesh_losses{};   ///< as of Mesh::State
     std::vector<std::string> recipe_files{};  ///< the recipe's own file and its images
-    std::string in_no_picture;                ///< numbers that no picture holds
+    burl::Recipe recipe{};                    ///< what it was made from, with its atlas's options
 };
 
 /// Fills in the views of all images.

@@ -39,7 +39,7 @@ TextureFilter parse_lookup(const std::string& text) {
     if (text == "mip") return TextureFilter::mip;
     throw Error(ExitCode::usage,
                 fmt::format("--filter {}: it must be nearest, linear or mip; filters of the "
-                            "texture itself go with --direct",
+                            "texture itself are --direct's, or --set filter.kind=... of --lazy",
                             text));
 }
 

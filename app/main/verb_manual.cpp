@@ -26,8 +26,7 @@ struct ManualCommand {
 std::string hint_of_verb(const std::vector<const CLI::App*>& verbs, const std::string& name) {
     std::vector<std::string> names;
     for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
-    const std::vector<std::string_view> words(names.begin(), names.end());
-    const std::string_view nearest = nearest_word(name, words);
+    const std::string_view nearest = nearest_word(name, names);
     return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
 }
 

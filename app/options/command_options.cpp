@@ -235,8 +235,7 @@ std::vector<std::string> option_names(const CLI::App& verb) {
 }
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& words) {
-    const std::vector<std::string_view> candidates(words.begin(), words.end());
-    const std::string_view nearest = nearest_word(word, candidates);
+    const std::string_view nearest = nearest_word(word, words);
     return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
 }
 
@@ -254,8 +253,7 @@ CLI::Validator in_range(double low, double high) {
 CLI::Validator one_of(const std::vector<std::string>& words) {
     return {[=](std::string& text) -> std::string {
                 if (std::ranges::find(words, text) != words.end()) return "";
-                const std::vector<std::string_view> views(words.begin(), words.end());
-                const std::string_view nearest = nearest_word(text, views);
+                const std::string_view nearest = nearest_word(text, words);
                 return fmt::format(
                     "{} is none of {}{}", text, fmt::join(words, ", "),
                     nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));

@@ -29,8 +29,7 @@ bool is_light_file(const std::string& light) {
 void check_light(const std::string& light) {
     const std::vector<std::string> names = light_names();
     if (is_light_file(light) || std::ranges::find(names, light) != names.end()) return;
-    const std::vector<std::string_view> words(names.begin(), names.end());
-    const std::string_view nearest = nearest_word(light, words);
+    const std::string_view nearest = nearest_word(light, names);
     const std::string hint = nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
     throw Error(ExitCode::usage,
                 fmt::format("--light {}: {}it must be {}, or a picture of all directions, .exr or "

@@ -25,8 +25,7 @@ const EmbeddedFile& embedded_sample(const std::string& argument) {
     for (const EmbeddedFile& file : embedded_meshes())
         if (file.name == file_name) return file;
     const std::vector<std::string> names = sample_mesh_names();
-    const std::vector<std::string_view> words(names.begin(), names.end());
-    const std::string_view nearest = nearest_word(argument.substr(prefix.size()), words);
+    const std::string_view nearest = nearest_word(argument.substr(prefix.size()), names);
     const std::string hint =
         nearest.empty() ? "" : fmt::format("did you mean \"{}{}\"? ", prefix, nearest);
     throw Error(ExitCode::usage, fmt::format("there is no mesh \"{}\"; {}the samples are {}",
@@ -98,7 +97,7 @@ std::vector<std::string> sentences_of(const MeshNotes& notes) {
          "without area (kept; nothing to texture)"},
         {notes.duplicate_triangles, "duplicate triangle", "duplicate triangles", "(kept)"},
         {notes.unreferenced_points, "point", "points", "that no face uses (left out)"},
-        {notes.ignored_elements, "element", "elements", "other than faces (left out)"},
+        {notes.ignored_elements, "element", "elements", "other than faces (not read)"},
     };
     std::vector<std::string> sentences;
     for (const auto& [count, one, many, fate] : counts)

@@ -256,6 +256,32 @@ TEST_F(MaterialBake, AnObjNamesThePackedPictureInsteadOfANumber) {
               std::string::npos);
 }
 
+TEST(MaterialValues, ThoseThatNoFileHoldsAreNamed) {
+    RecipeImages images;
+    const Recipe recipe = parse_recipe(
+        R"({"texture": {"node": "fbm"}, "material": {"metallic": {"node": "fbm"}, "roughness": 0.5,
+            "occlusion": 0.75, "emissive": "#ff8000", "emissive_strength": 4, "ior": 1.25,
+            "clearcoat": {"node": "fbm"}, "clearcoat_roughness": 0.125, "sheen": "#102030",
+            "sheen_roughness": 0.5, "transmission": 0.25}})",
+        "m.json", {}, images);
+    const auto unheld = [&](const std::string& out, Packing packing,
+                            const std::vector<std::string>& pictures) {
+        const std::string sentence = values_not_held(recipe, pictures, packing, out);
+        return sentence.substr(sentence.find(": ") + 2);
+    };
+    const std::string sheen = "sheen #102030, sheen_roughness 0.5, transmission 0.25";
+    const std::vector<std::string> apart{"metallic", "clearcoat"}, packed{"orm", "clearcoat"};
+    EXPECT_EQ(unheld("a.png", Packing::separate, apart),
+              "roughness 0.5, occlusion 0.75, emissive #ff8000, clearcoat_roughness 0.125, " +
+                  sheen + ", ior 1.25, emissive_strength 4");
+    EXPECT_EQ(unheld("a.ply", Packing::unreal, packed),
+              "emissive #ff8000, " + sheen + ", ior 1.25, emissive_strength 4");
+    EXPECT_EQ(unheld("a.obj", Packing::separate, apart), "occlusion 0.75, " + sheen);
+    for (const char* out : {"a.glb", "a.gltf", "a.mtlx", "a.stl"})
+        EXPECT_EQ(values_not_held(recipe, {}, Packing::gltf, out), "") << out;
+    EXPECT_EQ(values_not_held(Recipe(), {}, Packing::separate, "a.ply"), "");
+}
+
 TEST_F(MaterialBake, PaintOverATransparentTextureIsRefused) {
     const std::string painted =
         clear_json.substr(0, clear_json.size() - 1) + R"(, "paint": [{"points": [[0, 0, 0]]}]})";

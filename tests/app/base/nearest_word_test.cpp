@@ -14,12 +14,13 @@ TEST(NearestWord, CountsEdits) {
     EXPECT_EQ(nearest_word("Phase", words), "phase");
     EXPECT_EQ(nearest_word("zzzzzz", words), "");
     EXPECT_EQ(nearest_word("brightness", words), "");  // shares letters with all of them
-    EXPECT_EQ(nearest_word("x", {}), "");
+    EXPECT_EQ(nearest_word("x", std::vector<std::string_view>()), "");
 }
 
 TEST(NearestWord, CountsAnExchangeOfNeighboursAsOne) {
     const std::vector<std::string_view> words{"opal", "oak"};
     EXPECT_EQ(nearest_word("oka", words), "oak");
+    EXPECT_EQ(nearest_word("oka", std::vector<std::string>{"opal", "oak"}).size(), 3U);
 }
 
 }  // namespace

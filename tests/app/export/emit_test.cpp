@@ -78,6 +78,12 @@ TEST(GlEmit, TellsOfTheFilterThatItLeavesOut) {
         EXPECT_THAT(note, testing::Not(HasSubstr("filter")));
 }
 
+TEST(GlEmit, TellsOfThePaintThatItLeavesOut) {
+    Recipe recipe = load_recipe("marble");
+    recipe.paint.resize(1);
+    EXPECT_THAT(emit_glsl(recipe, {}).notes, testing::Contains(HasSubstr("paint is left out")));
+}
+
 TEST_F(GlEmitTest, ColourMapsOfManyStopsBecomeConstants) {
     Recipe recipe = load_recipe("marble", {"atlas.size=64", "atlas.kind=area"});
     std::vector<ColorStop>& stops = plain_texture(recipe.texture)->colors.stops;

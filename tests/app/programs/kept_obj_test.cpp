@@ -1,5 +1,6 @@
 // What an OBJ keeps of the OBJ that it was baked from, read back by a reader of the tests' own.
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -202,6 +203,32 @@ TEST_F(KeptObjFile, LeavesFacesOfOtherMaterialsAsTheyAre) {
     EXPECT_EQ(after.libraries, (std::vector<std::string>{"b.mtl", "../my.mtl"}));
     bake("c.obj", "--material Glass");
     EXPECT_EQ(read("c.obj").libraries, (std::vector<std::string>{"c.mtl", "my.mtl"}));
+}
+
+TEST_F(KeptObjFile, KeepsColoursOfPointsWhereFacesAreLeft) {
+    scratch.write("in.obj",
+                  "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 1 1 0\nv 2 0 0\nv 3 0 0 0 0.5 0\n"
+                  "v 2 0 1 0 1 1\nusemtl A\nf 1 2 3\nusemtl B\nf 4 5 6\n");
+    bake("turned.obj", "--material A --rotate 0,180,0");
+    const std::vector<FaceText> faces = read("turned.obj").faces;
+    ASSERT_EQ(faces.size(), 2u);
+    const auto colors = [](const FaceText& face) {
+        std::vector<std::array<float, 3>> result;
+        for (const std::string& point : face.points) {
+            float x = 0, y = 0, z = 0;
+            std::array<float, 3> c{1, 1, 1};
+            std::istringstream(point) >> x >> y >> z >> c[0] >> c[1] >> c[2];
+            for (float& code : c) code = std::round(code * 1e4f) / 1e4f;
+            result.push_back(c);
+        }
+        return result;
+    };
+    using Colors = std::vector<std::array<float, 3>>;
+    EXPECT_EQ(colors(faces[0]), (Colors{{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
+    EXPECT_EQ(colors(faces[1]), (Colors{{1, 1, 1}, {0, 0.5, 0}, {0, 1, 1}}));
+    EXPECT_EQ(faces[1].points[1].substr(0, 3), "-3 ");  // moved
+    bake("whole.obj", "--rotate 0,180,0");              // colours would tint the texture
+    EXPECT_EQ(colors(read("whole.obj").faces[1]), (Colors(3, {1, 1, 1})));
 }
 
 /// Lines that go on over others, even over empty ones, come out as one.

@@ -210,6 +210,12 @@ TEST_F(PlainFormats, ColorsOfPointsAreTheRecipes) {
 TEST_F(PlainFormats, ColorsOfPointsSayWhatTheyLack) {
     EXPECT_THAT(bake("sample:cube", "c.glb", "--vertex-colors --recipe oak").err,
                 HasSubstr("bumps"));
+    EXPECT_THAT(bake("sample:cube", "c.obj", "--vertex-colors --recipe oak").err,
+                HasSubstr("bumps"));
+    const std::string clear =
+        R"(--vertex-colors --set material.alpha=mask --set 'material.opacity={"node": "fbm"}')";
+    EXPECT_THAT(bake("sample:cube", "c.obj", clear).err, HasSubstr("not kept: opacity"));
+    EXPECT_THAT(bake("sample:cube", "c.ply", clear).err, testing::Not(HasSubstr("opacity")));
     EXPECT_EQ(run_burl(scratch, fmt::format("bake sample:cube -o '{}' --strict", scratch / "s.stl"))
                   .exit_code,
               5);
