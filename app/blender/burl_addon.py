@@ -269,7 +269,7 @@ class Translator:
         self.leave_out(node, ("Subsurface", "Anisotropic", "Sheen"))
         if material["transmission"] and "Transmission Roughness" in node.inputs:
             self.leave_out(node, ("Transmission Roughness",))
-        for name in ("Clearcoat Normal", "Tangent", "Specular Tint", "IOR"):
+        for name in ("Clearcoat Normal", "Coat Normal", "Tangent", "Specular Tint", "IOR"):
             if name in node.inputs and (self.link_of(node.inputs[name]) or name == "Specular Tint" and is_tint(node.inputs[name].default_value)):
                 self.notes.append(f"{name} is left out")
         return self.bump(stack, node, node.inputs["Normal"])
@@ -880,6 +880,10 @@ CHANNELS = {"metallic": "Metallic", "roughness": "Roughness", "clearcoat": "Clea
             "transmission": "Transmission", "opacity": "Alpha", "specular": "Specular"}
 
 
+# What no input of the Principled BSDF shows, each with the value that does nothing.
+LEFT_OUT = {"sheen": "#000000", "occlusion": 1}
+
+
 def principled_of(name, files, settings, transparent, save_beside):
     """A Principled material of the pictures of a bake, by channel, and of the recipe's constants."""
     material = bpy.data.materials.new(name)
@@ -967,18 +971,23 @@ class Bake:
         return files
 
     def apply(self, save_beside):
-        """Gives the mesh its texture coordinates and material; returns a sentence on polygons that were cut, or nothing."""
+        """Gives the mesh its texture coordinates and material; returns sentences on polygons that were cut and on what is left out."""
         mesh = self.thing.data
         with open(self.path(self.stem + ".mtl")) as file:
             transparent = "map_d" in file.read()
         cut = apply_atlas(mesh, self.path(self.stem + ".obj"), self.y_up)
         settings = self.report["recipe"].get("material", {})
         title = f"{self.thing.name} {self.name}"
-        material = principled_of(title, self.pictures(), settings, transparent, save_beside)
+        files = self.pictures()
+        material = principled_of(title, files, settings, transparent, save_beside)
         mesh.materials.clear()
         mesh.materials.append(material)
         mesh.polygons.foreach_set("material_index", numpy.zeros(len(mesh.polygons), numpy.int32))
-        return f"{cut} polygons of \"{self.thing.name}\" became triangles, because a seam of the atlas crosses them." if cut else ""
+        said = [f"{cut} polygons of \"{self.thing.name}\" became triangles, because a seam of the atlas crosses them."] if cut else []
+        lost = [name for name, nothing in LEFT_OUT.items() if name in files or settings.get(name, nothing) != nothing]
+        if lost:
+            said.append(f"\"{self.thing.name}\": Principled has no place for the material's {' and '.join(lost)}.")
+        return " ".join(said)
 
 
 # ---------------------------------------------------------------- the panel

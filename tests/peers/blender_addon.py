@@ -320,6 +320,16 @@ def check_carve():
     assert colors.std(axis=0).max() > 0.01 and colors[:, 0].mean() > colors[:, 2].mean(), "oak is brown and has grain"
 
 
+def check_left_out():
+    """What no input of the Principled BSDF shows is told."""
+    import burl_addon
+    for recipe, wanted in ("moss", "sheen and occlusion"), ("oak", ""):
+        thing = suzanne()
+        with tempfile.TemporaryDirectory() as folder:
+            said = burl_addon.Bake(folder, thing, ["--recipe", recipe], 64, True, recipe, None).apply(False)
+        assert (f"no place for the material's {wanted}." in said) == bool(wanted), said
+
+
 def check_refusal():
     thing = suzanne()
     t = Tree("refused")
@@ -560,6 +570,7 @@ def install():
 def main():
     install()
     check_carve()
+    check_left_out()
     check_refusal()
     check_shared()
     check_eight_layers()
