@@ -172,8 +172,8 @@ Figure flight_figure() {
     return figure;
 }
 
-/// Few gates: half of the octaves, interpolated linearly, in numbers of 8.8 bits, and the colour
-/// table filtered in the resolution nearest to the footprint.
+/// Few gates: fewer octaves, interpolated linearly, in numbers of 8.8 bits, and the colour table
+/// filtered in the resolution nearest to the footprint.
 Figure gates_figure() {
     const std::string_view cheap =
         "--precision fixed:8.8 --filter table-mip --set texture.input.noise.0.fade=linear --set "
