@@ -1,4 +1,5 @@
 """Burl: mesh atlases filled with procedural solid textures. Arrays that are returned cannot be written to; copy them to change them."""
+import os
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
@@ -6,6 +7,7 @@ import numpy.typing as npt
 
 Doubles = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.uint32]
+Path = Union[str, "os.PathLike[str]"]
 
 class Error(RuntimeError):
     """What Burl cannot do, in one sentence. Wrong shapes of arrays are a ValueError, wrong types a TypeError."""
@@ -35,7 +37,7 @@ class Mesh:
     def __init__(self, positions: npt.ArrayLike, triangles: npt.ArrayLike, uvs: Optional[npt.ArrayLike] = None, name: str = "mesh") -> None:
         """Shapes (points, 3) in mesh units, (triangles, 3) and (triangles, 3, 2), v = 0 at an image's row 0. Copied."""
     @staticmethod
-    def read(path: str, *, weld: float = 0.0, up: str = "y", scale: float = 1.0, uv_set: int = 0, progress: Progress = None) -> Mesh:
+    def read(path: Path, *, weld: float = 0.0, up: str = "y", scale: float = 1.0, uv_set: int = 0, progress: Progress = None) -> Mesh:
         """Reads .obj, .ply, .stl, .off, .gltf or .glb, or a sample, such as "sample:teapot"."""
     @property
     def name(self) -> str: ...
@@ -56,7 +58,7 @@ class Recipe:
     """A recipe, which does not change."""
 
     @staticmethod
-    def load(path_or_preset: str) -> Recipe: ...
+    def load(path_or_preset: Path) -> Recipe: ...
     @staticmethod
     def parse(json: str, origin: str = "recipe") -> Recipe: ...
     @staticmethod
@@ -97,7 +99,7 @@ class Baked:
     def __getitem__(self, name: str) -> npt.NDArray[Any]: ...
     def is_srgb(self, name: str) -> bool:
         """Whether red, green and blue are sRGB codes; otherwise numbers are linear."""
-    def write(self, path: str) -> List[str]:
+    def write(self, path: Path) -> List[str]:
         """Writes the mesh, or its images; returns sentences on what is not kept.
 
         A glTF's rig, nodes and other materials are not: `burl bake` keeps them. A file that the
@@ -114,8 +116,8 @@ class Evaluated(NamedTuple):
     """Shape (n, 3), linear light."""
 
 def bake(
-    mesh: Union[Mesh, str],
-    recipe: Union[Recipe, str],
+    mesh: Union[Mesh, Path],
+    recipe: Union[Recipe, Path],
     *,
     size: int = 0,
     atlas: str = "",
@@ -130,11 +132,11 @@ def bake(
 ) -> Baked:
     """Bakes a mesh."""
 
-def evaluate(recipe: Union[Recipe, str], points: npt.ArrayLike, *, channel: str = "", mesh: Union[Mesh, str, None] = None, progress: Progress = None) -> Evaluated:
+def evaluate(recipe: Union[Recipe, Path], points: npt.ArrayLike, *, channel: str = "", mesh: Union[Mesh, Path, None] = None, progress: Progress = None) -> Evaluated:
     """The texture, or a channel, at points of shape (n, 3) in solid space, in float64."""
 
 def metrics(
-    mesh: Union[Mesh, str], recipe: Union[Recipe, str], *, atlas: str = "", size: int = 0, own_uvs: bool = False, lookups: bool = False, progress: Progress = None
+    mesh: Union[Mesh, Path], recipe: Union[Recipe, Path], *, atlas: str = "", size: int = 0, own_uvs: bool = False, lookups: bool = False, progress: Progress = None
 ) -> Dict[str, Any]:
     """The figures of `burl metrics --json`."""
 

@@ -64,16 +64,27 @@ Mesh read_asked(const std::string& path, const MeshReading& reading) {
     return released([&] { return Mesh::read(path, reading); });
 }
 
+/// The text of a path: a str, or what os.PathLike stands for. Throws TypeError, with what `wanted`
+/// says the argument `name` may be, for anything else.
+std::string path_of(const std::string& name, const py::object& path, const std::string& wanted) {
+    if (!py::isinstance<py::str>(path) && !py::hasattr(path, "__fspath__")) {
+        const auto type = py::str(py::type::of(path).attr("__name__")).cast<std::string>();
+        throw py::type_error(name + ": is of type " + type + ", and must be " + wanted);
+    }
+    return py::module_::import("os").attr("fsdecode")(path).cast<std::string>();
+}
+
 /// A mesh, or that of a file's path, which Ctrl-C stops reading.
 Mesh mesh_of(const py::object& mesh) {
-    if (!py::isinstance<py::str>(mesh)) return mesh.cast<Mesh>();
+    if (py::isinstance<Mesh>(mesh)) return mesh.cast<Mesh>();
     const py::none none;
-    return read_asked(mesh.cast<std::string>(), {.progress = progress_of(none)});
+    return read_asked(path_of("mesh", mesh, "a path, a sample or a burl.Mesh"),
+                      {.progress = progress_of(none)});
 }
 
 Recipe recipe_of(const py::object& recipe) {
-    return py::isinstance<py::str>(recipe) ? Recipe::load(recipe.cast<std::string>())
-                                           : recipe.cast<Recipe>();
+    if (py::isinstance<Recipe>(recipe)) return recipe.cast<Recipe>();
+    return Recipe::load(path_of("recipe", recipe, "a name, a path or a burl.Recipe"));
 }
 
 Mesh mesh_of_arrays(const py::object& positions, const py::object& triangles, const py::object& uvs,
@@ -161,9 +172,10 @@ void add_mesh(py::module_& module) {
              py::arg("uvs") = py::none(), py::arg("name") = "mesh");
     mesh.def_static(
         "read",
-        [](const std::string& path, double weld, const std::string& up, double scale,
+        [](const py::object& path, double weld, const std::string& up, double scale,
            std::uint32_t uv_set, const py::object& progress) {
-            return read_asked(path, {weld, up, scale, uv_set, progress_of(progress)});
+            return read_asked(path_of("path", path, "a path or a sample"),
+                              {weld, up, scale, uv_set, progress_of(progress)});
         },
         py::arg("path"), py::kw_only(), py::arg("weld") = 0.0, py::arg("up") = "y",
         py::arg("scale") = 1.0, py::arg("uv_set") = 0, py::arg("progress") = py::none());
@@ -177,7 +189,12 @@ void add_mesh(py::module_& module) {
 
 void add_recipe(py::module_& module) {
     py::class_<Recipe> recipe(module, "Recipe");
-    recipe.def_static("load", &Recipe::load, py::arg("path_or_preset"));
+    recipe.def_static(
+        "load",
+        [](const py::object& path) {
+            return Recipe::load(path_of("path_or_preset", path, "a name or a path"));
+        },
+        py::arg("path_or_preset"));
     recipe.def_static("parse", &Recipe::parse, py::arg("json"), py::arg("origin") = "recipe");
     recipe.def_static("names", &Recipe::names);
     recipe.def_property_readonly("name", &Recipe::name);
@@ -221,8 +238,9 @@ void add_baked(py::module_& module) {
         py::arg("name"));
     baked.def(
         "write",
-        [](const Baked& self, const std::string& path) {
-            return released([&] { return write(self, path); });
+        [](const Baked& self, const py::object& path) {
+            const std::string file = path_of("path", path, "a path");
+            return released([&] { return write(self, file); });
         },
         py::arg("path"));
     baked.def("__repr__", [](const Baked& self) {

@@ -80,6 +80,35 @@ def test_a_wrong_type_gets_a_sentence():
 
 
 @pytest.mark.parametrize(
+    "work, sentence",
+    [
+        (lambda: burl.bake(3, "oak"), "mesh: is of type int, and must be a path, a sample or a burl.Mesh"),
+        (lambda: burl.bake(POINTS, "oak"), "mesh: is of type ndarray, and must be a path, a sample or a burl.Mesh"),
+        (lambda: burl.bake("sample:cube", None), "recipe: is of type NoneType, and must be a name, a path or a burl.Recipe"),
+        (lambda: burl.evaluate("oak", POINTS, mesh=3), "mesh: is of type int, and must be a path, a sample or a burl.Mesh"),
+        (lambda: burl.metrics("sample:cube", 3), "recipe: is of type int, and must be a name, a path or a burl.Recipe"),
+        (lambda: burl.Mesh.read(b"cube.obj"), "path: is of type bytes, and must be a path or a sample"),
+        (lambda: burl.Recipe.load(3), "path_or_preset: is of type int, and must be a name or a path"),
+        (lambda: burl.bake("sample:cube", "oak", size=32).write(3), "path: is of type int, and must be a path"),
+    ],
+)
+def test_what_is_no_path_gets_a_sentence(work, sentence):
+    with pytest.raises(TypeError) as caught:
+        work()
+    assert str(caught.value) == sentence
+
+
+def test_paths_may_be_those_of_pathlib(tmp_path):
+    recipe = tmp_path / "my oak.json"
+    recipe.write_text(burl.Recipe.load("oak").to_json())
+    baked = burl.bake("sample:cube", recipe, size=32)
+    baked.write(tmp_path / "c\u00fcbe.obj")
+    assert burl.Mesh.read(tmp_path / "c\u00fcbe.obj").triangles.shape == (12, 3)
+    again = burl.bake(tmp_path / "c\u00fcbe.obj", burl.Recipe.load(recipe), size=32)
+    assert again.image("color").shape == (32, 32, 3)
+
+
+@pytest.mark.parametrize(
     "work, kind, word",
     [
         (lambda: burl.Mesh(POINTS, FACES + 1), "usage", "points 0 to 3"),
