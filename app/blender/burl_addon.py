@@ -88,7 +88,7 @@ def input_of(node, name):
 
 
 def is_tint(value):
-    """Whether a Specular Tint does something: a number since Blender 2.8, a colour from 4.0 on."""
+    """Whether a tint does something: Specular Tint was a number since Blender 2.8, and is a colour from 4.0 on."""
     return value > 0 if isinstance(value, (int, float)) else any(x != 1 for x in tuple(value)[:3])
 
 
@@ -128,6 +128,13 @@ class Translator:
 
     def link_of(self, socket):
         return socket.links[0] if socket.is_linked and socket.links and not socket.links[0].is_muted else None
+
+    def source_of(self, socket):
+        """The link that brings an input its value, once it has passed reroutes; None: there is none."""
+        link = self.link_of(socket)
+        while link and link.is_valid and link.from_node.bl_idname == "NodeReroute":  # a cycle is not valid
+            link = self.link_of(link.from_node.inputs[0])
+        return link
 
     def value(self, stack, socket):
         """The value of an input."""
@@ -203,7 +210,7 @@ class Translator:
         if not self.material.use_nodes or tree is None:
             raise BurlError(f"The material \"{self.material.name}\" uses no nodes.")
         out = tree.get_output_node("CYCLES") or tree.get_output_node("ALL")
-        link = self.link_of(out.inputs["Surface"]) if out else None
+        link = self.source_of(out.inputs["Surface"]) if out else None
         if not link:
             raise BurlError(f"The material \"{self.material.name}\" has no surface.")
         displacement = self.link_of(out.inputs["Displacement"])
@@ -211,11 +218,9 @@ class Translator:
             self.fail([], displacement.from_node, "displacement")
         if self.link_of(out.inputs["Volume"]):
             self.notes.append("Volume is left out")
-        stack, node, socket = [], link.from_node, link.from_socket
-        while node.bl_idname == "NodeReroute" and self.link_of(node.inputs[0]):
-            link = self.link_of(node.inputs[0])
-            node = link.from_node
-        return stack, node
+        if link.from_node.mute:
+            self.fail([], link.from_node, f"a muted {link.from_node.bl_label}")
+        return [], link.from_node
 
     def recipe(self, size):
         stack, node = self.surface()
@@ -269,8 +274,11 @@ class Translator:
         self.leave_out(node, ("Subsurface", "Anisotropic", "Sheen"))
         if material["transmission"] and "Transmission Roughness" in node.inputs:
             self.leave_out(node, ("Transmission Roughness",))
-        for name in ("Clearcoat Normal", "Coat Normal", "Tangent", "Specular Tint", "IOR"):
-            if name in node.inputs and (self.link_of(node.inputs[name]) or name == "Specular Tint" and is_tint(node.inputs[name].default_value)):
+        for name in ("Clearcoat Normal", "Coat Normal", "Tangent", "Specular Tint", "Coat Tint", "IOR"):
+            if name in node.inputs and (self.link_of(node.inputs[name]) or name.endswith(" Tint") and is_tint(node.inputs[name].default_value)):
+                self.notes.append(f"{name} is left out")
+        for name, usual in (("Coat IOR", 1.5), ("Thin Film Thickness", 0.0), ("Diffuse Roughness", 0.0)):  # of Blender 4
+            if name in node.inputs and (self.link_of(node.inputs[name]) or node.inputs[name].default_value != usual):
                 self.notes.append(f"{name} is left out")
         return self.bump(stack, node, node.inputs["Normal"])
 
@@ -292,11 +300,15 @@ class Translator:
         material["emissive"] = light
 
     def bump(self, stack, node, socket):
-        link = self.link_of(socket)
+        link = self.source_of(socket)
         if not link:
             return {}
         source = link.from_node
-        if source.bl_idname != "ShaderNodeBump":
+        if source.mute:  # what goes into its Normal goes through
+            through = [inner.from_socket for inner in source.internal_links if inner.to_socket == link.from_socket]
+            if through and through[0].name == "Normal":
+                return self.bump(stack, node, through[0])
+        if source.mute or source.bl_idname != "ShaderNodeBump":
             self.fail(stack, source, f"{source.bl_label} at {node.name}'s Normal")
             return {}
         if self.link_of(source.inputs["Normal"]) or self.link_of(source.inputs["Strength"]) or self.link_of(source.inputs["Distance"]):

@@ -372,6 +372,46 @@ def check_notes():
     assert notes_of(t) == ["Roughness is left out"], notes_of(t)
 
 
+def check_muted():
+    """A muted Bump lets its Normal through, and reroutes do nothing."""
+    addon = sys.modules["burl_addon"]
+    thing = suzanne()
+
+    def recipe_of(t):
+        return addon.Translator(t.material, thing).recipe(64)
+
+    def bumped(name, **properties):
+        t = Tree(name)
+        return t, t.node("Bump", {"Height": 0.5, "Distance": 0.25}, **properties)
+
+    t, bump = bumped("plain")
+    t.set(t.surface.inputs["Normal"], bump.outputs[0])
+    wanted = recipe_of(t)["bump"]
+    t, bump = bumped("rerouted")
+    turns = [t.own.nodes.new("NodeReroute") for _ in range(2)]
+    t.set(turns[0].inputs[0], bump.outputs[0])
+    t.set(turns[1].inputs[0], turns[0].outputs[0])
+    t.set(t.surface.inputs["Normal"], turns[1].outputs[0])
+    assert recipe_of(t)["bump"] == wanted == {"height": 0.25, "input": 0.5}, recipe_of(t)
+    t, bump = bumped("muted", mute=True)
+    t.set(t.surface.inputs["Normal"], bump.outputs[0])
+    assert "bump" not in recipe_of(t), recipe_of(t)
+    t.set(bump.inputs["Normal"], t.node("Bump", {"Height": 0.5, "Distance": 0.25}).outputs[0])
+    assert recipe_of(t)["bump"] == wanted, recipe_of(t)
+    for name, kind in ("muted normal map", "NormalMap"), ("muted surface", ""):
+        t = Tree(name)
+        if kind:
+            t.set(t.surface.inputs["Normal"], t.node(kind, mute=True).outputs[0])
+        else:
+            t.surface.mute = True
+        try:
+            recipe_of(t)
+        except addon.Unsupported as error:
+            assert "Normal Map" in str(error) if kind else "a muted Principled BSDF" in str(error), error
+            continue
+        raise AssertionError(f"{name} was baked")
+
+
 def check_files():
     """Pictures beside the .blend replace no file, and two meshes of one clean name keep theirs apart."""
     with tempfile.TemporaryDirectory() as folder:
@@ -577,6 +617,7 @@ def main():
     check_language()
     check_no_light()
     check_notes()
+    check_muted()
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.samples = 1
