@@ -18,7 +18,7 @@ namespace burl {
 namespace {
 
 /// Sets corners and charts of the mapped triangles.
-void place_charts(const FlatCharts& flat, const Packing& packing, Atlas& atlas) {
+void place_charts(const FlatCharts& flat, const PackedOutlines& packing, Atlas& atlas) {
     for (std::uint32_t c = 0; c < flat.charts.size(); ++c) {
         const FlatChart& chart = flat.charts[c];
         for (std::size_t t = 0; t < chart.faces.size(); ++t) {
@@ -156,7 +156,7 @@ std::optional<Atlas> layout_all(const Mesh& mesh, const Connectivity& connectivi
     if (stop.stop_requested()) return std::nullopt;
     std::vector<Outline> outlines;
     for (const FlatChart& chart : flat.charts) outlines.push_back({chart.outline, chart.area});
-    const std::optional<Packing> packing = pack_outlines(outlines, options.size);
+    const std::optional<PackedOutlines> packing = pack_outlines(outlines, options.size);
     if (!packing) return std::nullopt;
     Atlas atlas;
     atlas.options = options;

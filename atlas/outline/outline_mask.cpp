@@ -13,7 +13,7 @@ constexpr double half_gutter = 0.25;
 constexpr std::uint64_t all_cells = ~std::uint64_t(0);
 
 /// Sets the cells [first, last] of a row.
-void set_cells(CellRow& row, std::uint32_t first, std::uint32_t last) {
+void set_cells(GridRow& row, std::uint32_t first, std::uint32_t last) {
     if (first < 64)
         row.low |= (all_cells << first) & (last < 63 ? ~(all_cells << (last + 1)) : all_cells);
     if (last < 64) return;
@@ -22,9 +22,9 @@ void set_cells(CellRow& row, std::uint32_t first, std::uint32_t last) {
 }
 
 /// Appends the runs of set cells of a row.
-void append_runs(CellRow row, std::vector<CellRun>& runs) {
+void append_runs(GridRow row, std::vector<CellRun>& runs) {
     for (std::uint32_t at = 0; at < most_cells;) {
-        const CellRow free{~row.low, ~row.high};
+        const GridRow free{~row.low, ~row.high};
         const std::uint32_t skipped = free.leading();
         if (skipped == most_cells) return;
         row = row.moved_down(skipped);
@@ -36,7 +36,7 @@ void append_runs(CellRow row, std::vector<CellRun>& runs) {
     }
 }
 
-void find_runs(std::span<const CellRow> rows, OutlineMask& mask) {
+void find_runs(std::span<const GridRow> rows, OutlineMask& mask) {
     mask.begin.assign(1, 0);
     for (std::uint32_t y = 0; y < mask.height; ++y) {
         append_runs(rows[y], mask.runs);
@@ -60,7 +60,7 @@ void weigh(OutlineMask& mask) {
 
 /// Sets the runs of `mask` to those of the other one after a quarter turn.
 void turn_once(const OutlineMask& other, OutlineMask& mask) {
-    std::array<CellRow, most_cells> rows{};
+    std::array<GridRow, most_cells> rows{};
     for (std::uint32_t y = 0; y < other.height; ++y)
         for (const CellRun& run : other.row(y))
             for (std::uint32_t x = run.first; x < run.first + run.count; ++x)
@@ -104,7 +104,7 @@ std::uint32_t first_centre(double at) {
 
 }  // namespace
 
-std::uint32_t CellRow::leading() const {
+std::uint32_t GridRow::leading() const {
     return std::uint32_t(low != all_cells ? std::countr_one(low) : 64 + std::countr_one(high));
 }
 
@@ -126,7 +126,7 @@ TurnedMasks MaskMaker::operator()(const Outline& outline) {
                        Vec2d(half_gutter * double(cell_)) - scale_ * low};
     points_.clear();
     for (const Vec2d& q : outline.points) points_.push_back(turns[0].placed(q) / double(cell_));
-    rows_.fill(CellRow{});
+    rows_.fill(GridRow{});
     draw_inside();
     draw_border();
     find_runs(rows_, turns[0]);

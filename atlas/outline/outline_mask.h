@@ -13,15 +13,15 @@ namespace burl {
 inline constexpr std::uint32_t most_cells = 128;  ///< largest side of a grid, in cells
 
 /// A row of a grid, one bit a cell.
-struct CellRow {
+struct GridRow {
     std::uint64_t low = 0, high = 0;  ///< the first 64 cells, and those beyond
 
-    friend CellRow operator|(const CellRow& a, const CellRow& b) {
+    friend GridRow operator|(const GridRow& a, const GridRow& b) {
         return {a.low | b.low, a.high | b.high};
     }
     bool full() const { return (low & high) == ~std::uint64_t(0); }
     /// The row moved by fewer than 128 cells towards the first.
-    CellRow moved_down(std::uint32_t by) const {
+    GridRow moved_down(std::uint32_t by) const {
         const std::uint32_t bits = by % 64;
         if (by >= 64) return {high >> bits, 0};
         return {low >> bits | (high << 1 << (63 - bits)), high >> bits};
@@ -71,7 +71,7 @@ class MaskMaker {
     std::uint32_t cell_;
     std::uint32_t width_ = 0, height_ = 0;        ///< of the mask, in cells
     std::vector<Vec2d> points_;                   ///< corners, in cells
-    std::array<CellRow, most_cells> rows_;        ///< the mask
+    std::array<GridRow, most_cells> rows_;        ///< the mask
     std::vector<std::vector<double>> crossings_;  ///< of each row, kept for its memory
 };
 

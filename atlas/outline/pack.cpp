@@ -53,7 +53,7 @@ class Grid {
   private:
     /// The first column where the mask's low corner is free in row y, or the grid's end.
     std::uint32_t first_free(const OutlineMask& mask, std::uint32_t y) const {
-        CellRow blocked = columns_beyond(side_ - mask.width + 1);
+        GridRow blocked = columns_beyond(side_ - mask.width + 1);
         if (block(mask, mask.fullest, y, blocked)) return side_;
         for (std::uint32_t j = 0; j < mask.height; ++j)
             if (block(mask, j, y, blocked)) return side_;
@@ -62,24 +62,24 @@ class Grid {
 
     /// Marks the columns from which row j of the mask, in row y + j, touches a taken cell. Whether
     /// all are marked now.
-    bool block(const OutlineMask& mask, std::uint32_t j, std::uint32_t y, CellRow& blocked) const {
+    bool block(const OutlineMask& mask, std::uint32_t j, std::uint32_t y, GridRow& blocked) const {
         for (const CellRun& run : mask.row(j)) {
             const auto k = std::uint32_t(std::bit_width(run.count)) - 1;
-            const CellRow& touched = rows_[y + j][k];
+            const GridRow& touched = rows_[y + j][k];
             blocked = blocked | touched.moved_down(run.first) |
                       touched.moved_down(run.first + run.count - (1u << k));
         }
         return blocked.full();
     }
 
-    static CellRow columns_beyond(std::uint32_t first) {
+    static GridRow columns_beyond(std::uint32_t first) {
         constexpr std::uint64_t all = ~std::uint64_t(0);
         if (first >= most_cells) return {};
-        return first < 64 ? CellRow{all << first, all} : CellRow{0, all << (first - 64)};
+        return first < 64 ? GridRow{all << first, all} : GridRow{0, all << (first - 64)};
     }
 
     /// The columns from which a run of 2^k cells would touch a taken one, for each k.
-    using Touched = std::array<CellRow, lengths>;
+    using Touched = std::array<GridRow, lengths>;
 
     std::uint32_t side_;
     std::vector<Touched> rows_;
@@ -117,13 +117,13 @@ class Packer {
     }
 
     /// The outlines in their spots, moved apart.
-    Packing spread(std::span<const Spot> spots, double scale) const {
+    PackedOutlines spread(std::span<const Spot> spots, double scale) const {
         const Masks turned = masks(scale);
         std::vector<PlacedMask> placed;
         for (std::size_t i = 0; i < spots.size(); ++i)
             placed.push_back({&turned[i][spots[i].turn], spots[i].x, spots[i].y});
         spread_masks(placed, side_);
-        Packing result{{}, scale, cell_};
+        PackedOutlines result{{}, scale, cell_};
         for (const PlacedMask& p : placed) {
             PackedOutline outline = p.mask->placed;
             outline.origin += double(cell_) * Vec2d(p.x, p.y);
@@ -165,7 +165,7 @@ class Search {
         });
     }
 
-    std::optional<Packing> run() {
+    std::optional<PackedOutlines> run() {
         double high = most_scale_;
         for (int steps = 0; steps < 200; ++steps, high = most_scale_) {
             most_scale_ *= scale_step;
@@ -233,7 +233,7 @@ std::uint32_t outline_cell(std::uint32_t size) {
     return std::bit_ceil((size + most_cells - 1) / most_cells);
 }
 
-std::optional<Packing> pack_outlines(std::span<const Outline> outlines, std::uint32_t size) {
+std::optional<PackedOutlines> pack_outlines(std::span<const Outline> outlines, std::uint32_t size) {
     const std::size_t side = size / outline_cell(size);
     if (outlines.empty() || outlines.size() > side * side) return std::nullopt;
     return Search(outlines, size).run();

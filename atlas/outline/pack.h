@@ -30,7 +30,7 @@ struct PackedOutline {
 };
 
 /// All outlines in the texture.
-struct Packing {
+struct PackedOutlines {
     std::vector<PackedOutline> outlines;
     double scale = 0.0;      ///< texels per unit, of all outlines alike
     std::uint32_t cell = 0;  ///< side of the grid's cells, in texels
@@ -41,6 +41,6 @@ std::uint32_t outline_cell(std::uint32_t size);
 
 /// Packs the outlines into size x size texels, as large as they fit; nothing if they are too many.
 /// Pure and deterministic.
-std::optional<Packing> pack_outlines(std::span<const Outline> outlines, std::uint32_t size);
+std::optional<PackedOutlines> pack_outlines(std::span<const Outline> outlines, std::uint32_t size);
 
 }  // namespace burl

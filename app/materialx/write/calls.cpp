@@ -30,13 +30,13 @@ bool is_one_of(std::string_view word, std::string_view words) {
     return std::ranges::find(all, word) != all.end();
 }
 
-std::string vector_of(std::span<const Operand> in, NodeWriter& nodes,
+std::string vector_of(std::span<const Operand> in, XmlNodes& nodes,
                       const std::string& type = "vector3") {
     return nodes.combined(type, {in.begin(), in.end()});
 }
 
 /// The distance of x from the nearest whole number.
-Operand triangle_wave(const Operand& x, NodeWriter& nodes) {
+Operand triangle_wave(const Operand& x, XmlNodes& nodes) {
     const Operand part = nodes.binary("modulo", nodes.unary("absval", x), {1.0});
     const Operand off = nodes.unary("absval", nodes.binary("subtract", part, {0.5}));
     return nodes.binary("subtract", {0.5}, off);
@@ -44,7 +44,7 @@ Operand triangle_wave(const Operand& x, NodeWriter& nodes) {
 
 /// An operation of numbers that is called like a node.
 Operand write_math(const std::string& operation, const Operand& a, const Operand& b,
-                   const Operand& c, NodeWriter& nodes) {
+                   const Operand& c, XmlNodes& nodes) {
     if (operation == "fract") return nodes.binary("modulo", a, {1.0});
     if (operation == "round") return nodes.unary("floor", nodes.binary("add", a, {0.5}));
     if (operation == "trianglewave") return triangle_wave(a, nodes);
@@ -67,7 +67,7 @@ Operands thrice(const std::string& node) {
     return Operands(3, Operand{0.0, node});
 }
 
-Operands write_vectors(const std::string& operation, const Operands& in, NodeWriter& nodes) {
+Operands write_vectors(const std::string& operation, const Operands& in, XmlNodes& nodes) {
     const std::span<const Operand> all(in);
     const auto a = [&](const char* name = "in", const char* type = "vector3") {
         return node_input(name, type, vector_of(all.first(3), nodes, type));
@@ -98,14 +98,14 @@ Operands write_vectors(const std::string& operation, const Operands& in, NodeWri
 }
 
 /// A whole number of octaves, which MaterialX wants as an integer.
-XmlElement octaves_input(const Operand& octaves, NodeWriter& nodes) {
+XmlElement octaves_input(const Operand& octaves, XmlNodes& nodes) {
     if (octaves.is_constant())
         return value_input("octaves", "integer", fmt::format("{}", int(octaves.constant)));
     return node_input("octaves", "integer",
                       nodes.add("floor", "integer", {nodes.input("in", octaves)}));
 }
 
-Operands write_noise(const MaterialXCall& call, const Operands& in, NodeWriter& nodes) {
+Operands write_noise(const MaterialXCall& call, const Operands& in, XmlNodes& nodes) {
     const bool flat = call.dimensions == 2;
     const auto named = [&](const char* name) { return fmt::format("{}{}d", name, flat ? 2 : 3); };
     const std::string place = flat ? "vector2" : "vector3";
@@ -137,7 +137,7 @@ Operands write_noise(const MaterialXCall& call, const Operands& in, NodeWriter& 
 }  // namespace
 
 std::vector<Operand> write_call(const MaterialXCall& call, const std::vector<Operand>& in,
-                                NodeWriter& nodes) {
+                                XmlNodes& nodes) {
     Operands all = in;
     all.resize(most_materialx_inputs);
     if (call.function == MaterialXFunction::math)

@@ -9,6 +9,6 @@ namespace burl::materialx {
 
 /// The results of a function of these numbers: as many as it has.
 std::vector<Operand> write_call(const MaterialXCall& call, const std::vector<Operand>& in,
-                                NodeWriter& nodes);
+                                XmlNodes& nodes);
 
 }  // namespace burl::materialx

@@ -29,8 +29,8 @@ std::vector<Operand> components_of(const std::string& node, const std::string& t
     return all;
 }
 
-std::string NodeWriter::add(const std::string& category, const std::string& type,
-                            std::vector<XmlElement> inputs) {
+std::string XmlNodes::add(const std::string& category, const std::string& type,
+                          std::vector<XmlElement> inputs) {
     std::string key = category + ' ' + type;
     for (const XmlElement& input : inputs)
         for (const auto& [name, value] : input.attributes) key += '\n' + name + '\n' + value;
@@ -42,24 +42,24 @@ std::string NodeWriter::add(const std::string& category, const std::string& type
     return known->second;
 }
 
-std::string NodeWriter::extracted(const Operand& operand) {
+std::string XmlNodes::extracted(const Operand& operand) {
     return add("extract", "float",
                {node_input("in", operand.type, operand.node),
                 value_input("index", "integer", fmt::format("{}", operand.component))});
 }
 
-XmlElement NodeWriter::input(const std::string& name, const Operand& operand) {
+XmlElement XmlNodes::input(const std::string& name, const Operand& operand) {
     if (operand.is_constant()) return number_input(name, operand.constant);
     return node_input(name, "float", operand.type.empty() ? operand.node : extracted(operand));
 }
 
-Operand NodeWriter::number(const std::string& category, const OperandInputs& inputs) {
+Operand XmlNodes::number(const std::string& category, const OperandInputs& inputs) {
     std::vector<XmlElement> elements;
     for (const auto& [name, operand] : inputs) elements.push_back(input(name, operand));
     return {0.0, add(category, "float", std::move(elements))};
 }
 
-std::string NodeWriter::combined(const std::string& type, const std::vector<Operand>& parts) {
+std::string XmlNodes::combined(const std::string& type, const std::vector<Operand>& parts) {
     if (std::string known = common_node(type, parts); !known.empty()) return known;
     if (std::ranges::all_of(parts, &Operand::is_constant)) {
         std::string text;
@@ -73,7 +73,7 @@ std::string NodeWriter::combined(const std::string& type, const std::vector<Oper
     return add(fmt::format("combine{}", parts.size()), type, std::move(elements));
 }
 
-Operand NodeWriter::binary(const std::string& category, const Operand& in1, const Operand& in2) {
+Operand XmlNodes::binary(const std::string& category, const Operand& in1, const Operand& in2) {
     const double a = in1.constant, b = in2.constant;
     const bool fixed = in1.is_constant() && in2.is_constant();
     if (fixed && category == "min") return {std::min(a, b)};
@@ -87,12 +87,12 @@ Operand NodeWriter::binary(const std::string& category, const Operand& in1, cons
     return number(category, {{"in1", in1}, {"in2", in2}});
 }
 
-Operand NodeWriter::times(const Operand& operand, double factor) {
+Operand XmlNodes::times(const Operand& operand, double factor) {
     return binary("multiply", operand, {factor});
 }
 
-Operand NodeWriter::sum(const std::vector<Operand>& operands, const std::vector<double>& factors,
-                        double constant) {
+Operand XmlNodes::sum(const std::vector<Operand>& operands, const std::vector<double>& factors,
+                      double constant) {
     Operand total;
     bool empty = true;
     const auto add_term = [&](const Operand& term) {

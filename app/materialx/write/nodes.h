@@ -24,7 +24,7 @@ struct Operand {
 using OperandInputs = std::vector<std::pair<std::string, Operand>>;
 
 /// The nodes of one graph, which are added and never changed.
-class NodeWriter {
+class XmlNodes {
   public:
     /// Sets the comment that the next new node is written behind; once.
     void set_comment(const std::string& comment) { comment_ = comment; }

@@ -195,7 +195,7 @@ class RecipeWriter {
 
     const Recipe& recipe_;
     Affine3 map_;
-    NodeWriter nodes_;
+    XmlNodes nodes_;
     std::vector<XmlElement> outputs_;
     std::vector<std::string> names_;
 };

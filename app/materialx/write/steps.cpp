@@ -52,7 +52,7 @@ std::string color_text(const ColorPieces& pieces, std::size_t piece, double x) {
 /// Writes a map of colours at a number: pieces from the left, each over what is left of it.
 class PiecesWriter {
   public:
-    PiecesWriter(const ColorPieces& pieces, const Operand& x, NodeWriter& nodes)
+    PiecesWriter(const ColorPieces& pieces, const Operand& x, XmlNodes& nodes)
         : pieces_(pieces), nodes_(nodes) {
         if (pieces.argument == ColorPieces::Argument::repeat)
             x_ = nodes.binary("modulo", x, {1.0});
@@ -115,14 +115,14 @@ class PiecesWriter {
     }
 
     const ColorPieces& pieces_;
-    NodeWriter& nodes_;
+    XmlNodes& nodes_;
     Operand x_;
 };
 
 using Operands = std::vector<Operand>;
 
 /// The factor of `whole` copies, by squares.
-Operand whole_power(const Operand& x, std::uint32_t whole, NodeWriter& nodes) {
+Operand whole_power(const Operand& x, std::uint32_t whole, XmlNodes& nodes) {
     if (whole == 0) return {1.0};
     if (whole == 1) return x;
     const Operand half = whole_power(x, whole / 2, nodes);
@@ -130,24 +130,24 @@ Operand whole_power(const Operand& x, std::uint32_t whole, NodeWriter& nodes) {
     return whole % 2 == 0 ? square : nodes.binary("multiply", square, x);
 }
 
-Operand power(const Operand& x, double exponent, NodeWriter& nodes) {
+Operand power(const Operand& x, double exponent, XmlNodes& nodes) {
     if (exponent == std::floor(exponent)) return whole_power(x, std::uint32_t(exponent), nodes);
     return nodes.binary("power", nodes.binary("max", x, {0.0}), {exponent});
 }
 
 /// The ratio a / b, and 0 where b is not above 0.
-Operand ratio(const Operand& a, const Operand& b, NodeWriter& nodes) {
+Operand ratio(const Operand& a, const Operand& b, XmlNodes& nodes) {
     const Operand quotient = nodes.binary("divide", a, b);
     if (b.is_constant()) return b.constant > 0.0 ? quotient : Operand{};
     return nodes.choose("ifgreater", b, {0.0}, quotient, {0.0});
 }
 
-Operand smooth_step(const Operand& x, double low, double high, NodeWriter& nodes) {
+Operand smooth_step(const Operand& x, double low, double high, XmlNodes& nodes) {
     if (!(high > low)) return nodes.choose("ifgreatereq", x, {high}, {1.0}, {0.0});
     return nodes.number("smoothstep", {{"in", x}, {"low", {low}}, {"high", {high}}});
 }
 
-Operand write_operation(const ValueOperation& operation, const Operands& in, NodeWriter& nodes) {
+Operand write_operation(const ValueOperation& operation, const Operands& in, XmlNodes& nodes) {
     const auto [p, q, r, s] = operation.parameters;
     switch (operation.op) {
         case ValueOp::constant:
@@ -201,7 +201,7 @@ Operand write_operation(const ValueOperation& operation, const Operands& in, Nod
 /// Writes the work of steps.
 class StepWriter {
   public:
-    StepWriter(const TextureGraph& graph, NodeWriter& nodes)
+    StepWriter(const TextureGraph& graph, XmlNodes& nodes)
         : graph_(graph), masks_(graph_masks(graph)), nodes_(nodes) {}
 
     Operands write(const ValueWork& work, const Operands& inputs) {
@@ -285,7 +285,7 @@ class StepWriter {
 
     const TextureGraph& graph_;
     std::vector<GraphMask> masks_;
-    NodeWriter& nodes_;
+    XmlNodes& nodes_;
 };
 
 }  // namespace
@@ -300,7 +300,7 @@ std::vector<std::uint32_t> nodes_without_equivalent(const TextureGraph& graph, G
 }
 
 std::vector<Operand> write_graph(const TextureGraph& graph, GraphOutput output,
-                                 const std::vector<Operand>& point, NodeWriter& nodes) {
+                                 const std::vector<Operand>& point, XmlNodes& nodes) {
     const GraphValues values(graph, nullptr, output);
     StepWriter writer(graph, nodes);
     std::vector<Operand> registers = point;

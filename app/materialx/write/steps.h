@@ -18,6 +18,6 @@ std::vector<std::uint32_t> nodes_without_equivalent(const TextureGraph& graph, G
 /// Adds the nodes of a graph at a point and returns its results: those of GraphValues. The graph
 /// must have no nodes_without_equivalent().
 std::vector<Operand> write_graph(const TextureGraph& graph, GraphOutput output,
-                                 const std::vector<Operand>& point, NodeWriter& nodes);
+                                 const std::vector<Operand>& point, XmlNodes& nodes);
 
 }  // namespace burl::materialx

@@ -57,7 +57,7 @@ bool is_inside(const Vec2d& q, const Polygon& p) {
     return inside;
 }
 
-std::vector<Polygon> placed(const std::vector<Polygon>& polygons, const Packing& packing) {
+std::vector<Polygon> placed(const std::vector<Polygon>& polygons, const PackedOutlines& packing) {
     std::vector<Polygon> result = polygons;
     for (std::size_t i = 0; i < result.size(); ++i)
         for (Vec2d& q : result[i]) q = packing.outlines[i](q);
